@@ -1,0 +1,35 @@
+# Compiler flags. Results are the same bits for g++ and clang, scalar and lanes, so nothing here may let a compiler
+# change arithmetic: no fast-math, no contraction, and g++ 12's SLP vectorizer is off because it fuses
+# a*b-c, a*b+c into vfmaddsub in spite of -ffp-contract=off.
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Release or Debug" FORCE)
+endif()
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
+set(CMAKE_CXX_FLAGS_DEBUG "-Og -g -fno-omit-frame-pointer")
+
+set(murosimf_warnings -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor
+    -Wold-style-cast -Wno-psabi -Werror)
+# What whoever includes our headers needs as well, for the same bits and the same layout of lanes.
+set(murosimf_public_flags -march=x86-64-v3 -ffp-contract=off -fno-tree-slp-vectorize)
+set(murosimf_kernel_flags -O3 -fno-tree-slp-vectorize -fno-math-errno)
+
+if(MUROSIMF_SANITIZE)
+  add_compile_options(-fsanitize=${MUROSIMF_SANITIZE} -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${MUROSIMF_SANITIZE})
+endif()
+
+# ccache, where there is one; its base directory lets all build folders of one checkout share entries.
+find_program(MUROSIMF_CCACHE ccache)
+if(MUROSIMF_CCACHE AND (NOT CMAKE_CXX_COMPILER_LAUNCHER OR CMAKE_CXX_COMPILER_LAUNCHER STREQUAL "ccache"))
+  set(CMAKE_CXX_COMPILER_LAUNCHER env "CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}" "${MUROSIMF_CCACHE}")
+endif()
+
+# murosimf_flags(target): what every target of ours is compiled with.
+function(murosimf_flags target)
+  target_compile_options(${target} PRIVATE ${murosimf_warnings})
+endfunction()
