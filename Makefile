@@ -1,0 +1,45 @@
+# A thin front door over CMake: docs/building.md tells more. Everything goes to build/, results to out/.
+PREFIX ?= /usr/local
+JOBS ?= $(shell nproc)
+BUILD := build/release
+
+.DEFAULT_GOAL := help
+.PHONY: help deps configure build run test bench check-all format install clean
+
+help:  ## print this list
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' Makefile
+
+deps:  ## install the packages of packages.txt that are missing
+	@tools/install_packages.sh build
+
+configure: deps
+	@cmake --preset release >/dev/null
+
+build: configure  ## build the program, the libraries and the tests into build/release
+	@cmake --build --preset release --parallel $(JOBS)
+
+run: configure  ## play 60 s of the 3 versus 3 game; pictures, report and video go to out/
+	@cmake --build --preset release --parallel $(JOBS) --target murosimf_app
+	@$(BUILD)/murosimf run scenarios/game_3v3.toml --out out --video out/game.mp4
+
+test: build  ## build and run the tests
+	@ctest --preset release --parallel $(JOBS)
+
+bench: configure  ## measure: time per robot and step, lanes against scalar
+	@cmake --build --preset release --parallel $(JOBS) --target murosimf-bench
+	@$(BUILD)/murosimf-bench
+
+check-all: deps  ## everything before a release: both compilers, sanitizers, clang-tidy, slow tests
+	@tools/install_packages.sh build check
+	@tools/check_all.sh
+
+format:  ## format all C++ files
+	@tools/install_packages.sh check
+	@tools/check_format.sh --fix
+
+install: configure  ## install program, headers and CMake package below PREFIX (/usr/local)
+	@cmake --build --preset release --parallel $(JOBS) --target murosimf_app
+	@cmake --install $(BUILD) --prefix $(PREFIX)
+
+clean:  ## remove build/ and out/
+	@rm -rf build out
