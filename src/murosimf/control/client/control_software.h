@@ -1,0 +1,30 @@
+#pragma once
+
+/// @file What a program that controls a robot looks like when it is linked in.
+
+#include <memory>
+#include <string>
+
+#include "murosimf/control/client/robot_description.h"
+#include "murosimf/control/client/robot_frames.h"
+#include "murosimf/control/client/state_archive.h"
+
+namespace murosimf::client {
+
+/// One robot's control software. Called from one thread at a time, never from two at once; different robots' programs
+/// run in parallel and share nothing. Must depend on its inputs alone (no clock, no global state), so that a run can
+/// be repeated bit for bit.
+class ControlSoftware {
+ public:
+  virtual ~ControlSoftware() = default;
+  /// Called once, before the first step.
+  virtual void start(const RobotDescription& robot) = 0;
+  /// Reads one sensor frame and fills the commands for the next period. commands.joints has its size already.
+  virtual void step(const SensorFrame& sensors, CommandFrame& commands) = 0;
+  /// What the program believes after the last step.
+  virtual const ControlReport& report() const = 0;
+  /// Writes or reads its whole state, for checkpoints. Called between steps, after start().
+  virtual void archive(StateArchive& archive) = 0;
+};
+
+}  // namespace murosimf::client

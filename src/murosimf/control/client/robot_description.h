@@ -1,0 +1,63 @@
+#pragma once
+
+/// @file What control software is told about its robot once, before the first sensor frame.
+///
+/// These are facts that the builders of a robot know: names, limits, mounts and calibration. Nothing here tells where
+/// the robot or the ball is.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "murosimf/math/transform.h"
+
+namespace murosimf::client {
+
+struct JointDescription {
+  std::string name;
+  double lower = 0, upper = 0;  ///< range [rad]
+  double largest_velocity = 0;  ///< [rad/s]
+  double largest_torque = 0;    ///< [N m]
+};
+
+/// Lens after Bouguet's toolbox and OpenCV: u = fx (xd + skew yd) + cx, v = fy yd + cy, pixel centres at integers;
+/// kc = k1 k2 p1 p2 k3.
+struct CameraDescription {
+  std::string name;
+  int width = 0, height = 0;  ///< [pixels]
+  double fx = 0, fy = 0, cx = 0, cy = 0, skew = 0;
+  double kc[5] = {0, 0, 0, 0, 0};
+  std::string body;   ///< the body (link) that carries it
+  Pose X_BC;          ///< camera on that body: C has x right, y down, z forward
+  double period = 0;  ///< time between pictures [s]
+};
+
+/// The field of play: what a team measures before a game. Origin at the centre; +x towards the opponents' goal of the
+/// team that attacks +x. See soccer/field.h for the drawing.
+struct FieldDescription {
+  double length = 0, width = 0;                            ///< between the outer edges' line centres [m]
+  double goal_width = 0, goal_height = 0, goal_depth = 0;  ///< inner width between posts, height of the bar [m]
+  double post_radius = 0;
+  double line_width = 0, border = 0;
+  double centre_circle_radius = 0;
+  double goal_area_length = 0, goal_area_width = 0;  ///< 0 where the field has none
+  double penalty_mark_distance = 0;                  ///< from the goal line
+  double ball_radius = 0;
+  double pole_radius = 0, pole_height = 0;  ///< landmark poles at the ends of the halfway line; 0: none
+};
+
+struct RobotDescription {
+  std::string model;  ///< "ks21"
+  std::string team;   ///< "red" or "blue"
+  int number = 0;     ///< jersey number from 1
+  std::string role;   ///< free text of the scenario's control parameters: "keeper", "defender", "striker"
+  std::vector<JointDescription> joints;    ///< in the order of sensor and command frames
+  std::vector<CameraDescription> cameras;  ///< in the order of CameraPicture::camera
+  FieldDescription field;
+  bool attacks_positive_x = true;  ///< red's and blue's own frames: +x is the goal they attack, after this turn
+  std::string goal_colour_attacked, goal_colour_defended;  ///< "yellow" or "blue"
+  double control_period = 0.01;                            ///< time between sensor frames [s]
+  std::uint64_t seed = 0;
+};
+
+}  // namespace murosimf::client

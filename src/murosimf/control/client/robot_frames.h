@@ -1,0 +1,94 @@
+#pragma once
+
+/// @file The two frames that pass through a robot port: sensors out of the robot, commands into it. SI units.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "murosimf/math/transform.h"
+
+namespace murosimf::client {
+
+struct JointReading {
+  double position = 0;  ///< [rad]
+  double velocity = 0;  ///< [rad/s]
+  double torque = 0;    ///< [N m]; 0 where the level of detail knows none
+};
+
+/// One picture, valid only during the call that delivers it.
+struct CameraPicture {
+  int camera = 0;   ///< index into RobotDescription::cameras
+  double time = 0;  ///< of the exposure [s]
+  int width = 0, height = 0;
+  std::span<const std::uint8_t> rgb;  ///< width * height * 3 bytes, rows from the top
+};
+
+enum class GamePhase : std::uint8_t { kReady, kSet, kPlaying, kFinished };
+
+/// What the game controller broadcasts.
+struct GameInfo {
+  GamePhase phase = GamePhase::kReady;
+  bool own_kickoff = false;
+  bool penalised = false;
+  double time_left = 0;  ///< [s]
+  int own_score = 0, opponent_score = 0;
+  std::uint32_t restart_count = 0;  ///< grows by one with every kick-off and every ball put back by the referee
+  bool placed = false;              ///< true in the first frame after somebody put the robot somewhere by hand
+  PlanarPose placed_at;             ///< where, in the team's own frame (+x: goal attacked)
+};
+
+/// Radio message between team mates; delivered to all of them one control period later.
+struct TeamMessage {
+  int number = 0;                 ///< sender's jersey number; 0: empty
+  PlanarPose pose;                ///< in the team's own frame
+  double ball_x = 0, ball_y = 0;  ///< in the team's own frame
+  double ball_age = 1e9;          ///< since the ball was seen [s]
+  double cost_to_ball = 1e9;      ///< estimated time to reach a kicking position [s]
+};
+
+struct SensorFrame {
+  double time = 0;                             ///< simulated time of the readings [s]
+  std::span<const JointReading> joints;        ///< as RobotDescription::joints
+  Vector3 angular_velocity;                    ///< gyroscope, IMU axes [rad/s]
+  Vector3 specific_force;                      ///< accelerometer, IMU axes [m/s^2]: +9.81 along the upward axis at rest
+  std::array<bool, 2> foot_touches{};          ///< right, left
+  std::span<const CameraPicture> pictures;     ///< those whose time has come since the last frame
+  std::span<const TeamMessage> team_messages;  ///< from team mates
+  GameInfo game;
+};
+
+/// Per joint the tuple of current humanoids: tau = kp (position - q) + kd (velocity - dq) + torque. Servos of hobby
+/// robots take position and use velocity as speed limit where it is positive.
+struct JointCommand {
+  double position = 0, velocity = 0, torque = 0, kp = 0, kd = 0;
+};
+
+struct CommandFrame {
+  std::vector<JointCommand> joints;  ///< sized by the port; as RobotDescription::joints
+  TeamMessage message;               ///< sent when number != 0
+};
+
+/// One ball, post or line point found in a picture, for people and for the harness that measures the vision.
+struct Percept {
+  enum class Kind : std::uint8_t { kBall, kPost, kPole, kLinePoint, kRobot };
+  Kind kind = Kind::kBall;
+  int camera = 0;
+  double u = 0, v = 0;  ///< centre (ball), foot point (post, pole, robot), point [pixels]
+  double radius = 0;    ///< ball: apparent radius; others: half width [pixels]
+  double distance = 0;  ///< estimated horizontal distance from the robot [m]
+};
+
+/// What the control software believes, for reports and pictures only: the simulator never acts on it.
+struct ControlReport {
+  std::vector<Percept> percepts;  ///< of the pictures of the last step
+  PlanarPose pose;                ///< self-localisation, in the team's own frame
+  bool pose_valid = false;
+  bool ball_known = false;
+  double ball_x = 0, ball_y = 0;    ///< in the robot's frame [m]
+  std::uint32_t kicks_started = 0;  ///< counts deliberate kicks
+  const char* activity = "";        ///< "search", "approach", "line up", "kick", ... (string literal)
+};
+
+}  // namespace murosimf::client
