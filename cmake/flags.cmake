@@ -23,6 +23,15 @@ if(MUROSIMF_SANITIZE)
   add_link_options(-fsanitize=${MUROSIMF_SANITIZE})
 endif()
 
+set(murosimf_kernel_compiler "")
+if(MUROSIMF_KERNEL_COMPILER)
+  find_program(murosimf_kernel_compiler ${MUROSIMF_KERNEL_COMPILER} NO_CACHE)
+  if(NOT murosimf_kernel_compiler)
+    message(FATAL_ERROR "MUROSIMF_KERNEL_COMPILER: found no program ${MUROSIMF_KERNEL_COMPILER}.\n"
+            "`make deps` installs clang++-14 on Debian; the preset `gcc` does without.")
+  endif()
+endif()
+
 # ccache, where there is one; its base directory lets all build folders of one checkout share entries.
 find_program(MUROSIMF_CCACHE ccache)
 if(MUROSIMF_CCACHE AND (NOT CMAKE_CXX_COMPILER_LAUNCHER OR CMAKE_CXX_COMPILER_LAUNCHER STREQUAL "ccache"))

@@ -17,10 +17,9 @@ function(murosimf_kernels name)
       set_source_files_properties(${file} PROPERTIES COMPILE_OPTIONS "-march=x86-64-v3;-DMUROSIMF_ISA=isa_v3")
     endif()
   endforeach()
-  if(MUROSIMF_KERNEL_COMPILER)
-    find_program(MUROSIMF_KERNEL_COMPILER_PATH ${MUROSIMF_KERNEL_COMPILER} REQUIRED)
+  if(murosimf_kernel_compiler)
     set_target_properties(murosimf_${name}_kernels PROPERTIES CXX_COMPILER_LAUNCHER
-      "${PROJECT_SOURCE_DIR}/cmake/compile_kernel.sh;${MUROSIMF_KERNEL_COMPILER_PATH};${CMAKE_CXX_COMPILER};${CMAKE_CXX_COMPILER_LAUNCHER}")
+      "${PROJECT_SOURCE_DIR}/cmake/compile_kernel.sh;${murosimf_kernel_compiler};${CMAKE_CXX_COMPILER};${CMAKE_CXX_COMPILER_LAUNCHER}")
   endif()
 endfunction()
 

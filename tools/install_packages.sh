@@ -43,7 +43,6 @@ fi
 
 missing=$(missing_on_debian)
 [ -z "$missing" ] && exit 0
-echo "Installing ${missing//$'\n'/ }"
 
 as_root=()
 if [ "$(id -u)" -ne 0 ]; then
@@ -64,6 +63,7 @@ run() {
   echo "error: '$*' failed (above). murosimf is built on Debian 12 (bookworm); packages.txt lists what it needs." >&2
   exit 1
 }
+echo "Installing ${missing//$'\n'/ }"
 run apt-get update
 # shellcheck disable=SC2086  # one word a package
 run apt-get install --yes --no-install-recommends $missing
