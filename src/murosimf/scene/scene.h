@@ -1,0 +1,141 @@
+#pragma once
+
+/// @file Scene: what a scenario file says, as plain data. Every value knows the place it was written at.
+///
+/// A Scene knows no algorithm and no world; the builder turns it into both and then drops it. Values that nobody wrote
+/// hold their default and an empty `where` (a measure of the field: the place of the preset's name).
+/// Units are SI, angles in rad. W is the field frame: origin at the centre, +x towards the goal that red attacks
+/// unless the scenario says otherwise, z up.
+/// All values are within the ranges of scene/scenario_ranges.h. Not checked here, because only the builder and the
+/// linker know: names of modules, of their parameters, of cameras, of surfaces and of properties.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "murosimf/control/client/robot_description.h"
+#include "murosimf/math/transform.h"
+#include "murosimf/math/vec3.h"
+#include "murosimf/scene/located.h"
+
+namespace murosimf {
+
+/// A module (or a control program) chosen for one slot of a robot, with its parameters.
+struct ModuleChoice {
+  std::string slot;             ///< "motion", "actuation", ...; a camera's name; "control"; "modules.<name>"
+  Located<std::string> module;  ///< empty: the one that the level of detail brings, with these parameters
+  Located<double> period;       ///< [s]; 0: the module's own
+  Located<double> phase;        ///< [s] after the start; 0
+  std::vector<NamedValue> parameters;
+};
+
+struct SimulationSettings {
+  Located<double> frame{.001, {}};     ///< length of a frame [s]
+  Located<double> duration{60.0, {}};  ///< [s]
+  Located<std::uint64_t> seed{1, {}};
+  Located<double> pace{0.0, {}};             ///< 0: simulated clock; p > 0: paced, p simulated seconds a second
+  Located<double> control_period{.010, {}};  ///< between two steps of the control software [s]: whole frames
+  Located<double> control_delay{.010, {}};   ///< from the sensor frame until its commands act [s]: whole frames
+  Located<int> threads{0, {}};               ///< 0: all
+  Located<int> lanes{0, {}};                 ///< 0: automatic; 1, 4, 8
+};
+
+struct Colour {
+  double red = 0, green = 0, blue = 0;  ///< 0..1
+  friend bool operator==(const Colour&, const Colour&) = default;
+};
+
+/// Measures are those of client::FieldDescription [m].
+struct FieldSettings {
+  Located<std::string> preset{"2007", {}};
+  Located<double> length, width, goal_width, goal_height, goal_depth, post_radius, line_width, border;
+  Located<double> centre_circle_radius, goal_area_length, goal_area_width, penalty_mark_distance;
+  Located<double> pole_radius, pole_height;
+  Located<double> brightness{1.0, {}};  ///< factor on all light
+  Located<Colour> carpet;
+  Located<std::string> goal_at_plus_x, goal_at_minus_x;  ///< "yellow", "blue" or "white"
+};
+
+struct BallSettings {
+  Located<bool> present{true, {}};
+  Located<double> radius{.070, {}};          ///< [m]
+  Located<double> mass{.205, {}};            ///< [kg]
+  Located<double> inertia_factor{.667, {}};  ///< beta: I = beta m r^2
+  Located<Vec3<double>> position;            ///< of the ball's lowest point in W [m]
+  Located<Colour> colour{{1.0, .40, .05}, {}};
+};
+
+/// How two surfaces touch. `first` <= `second` in the order of letters. See docs/scenario_format.md.
+struct SurfacePair {
+  std::string first, second;
+  SourceLocation where;                    ///< empty: of the built-in table
+  Located<std::string> law{"smooth", {}};  ///< "smooth" or "paper"
+  Located<double> stiffness;               ///< s_c [N/m]
+  Located<double> restitution_factor;      ///< s_b [1]: share of the stiffness while separating
+  Located<double> viscous_friction;        ///< s_mu [s/m]; 0 where friction_coefficient > 0
+  Located<double> friction_coefficient;    ///< mu [1]; > 0: Coulomb instead of viscous friction
+  Located<double> stick_speed{.002, {}};   ///< v_s [m/s]: Coulomb friction is viscous below
+  Located<double> turning_friction;        ///< s_nu [m s]
+  Located<double> rolling_resistance;      ///< c_rr [1]
+};
+
+struct TeamSettings {
+  std::string name;                  ///< "red" or "blue"
+  Located<bool> attacks_positive_x;  ///< red: true, blue: false, unless the scenario says otherwise
+};
+
+struct RobotSettings {
+  std::string team;
+  int number = 0;                    ///< jersey number from 1
+  SourceLocation where;              ///< of its table
+  Located<std::string> file;         ///< as written
+  std::filesystem::path file_found;  ///< where that was found
+  Located<PlanarPose> pose;          ///< X_WB at the start
+  Located<std::string> role;
+  Located<std::string> level{"kinematic", {}};
+  std::vector<ModuleChoice> modules;                              ///< only slots that the scenario names, by slot
+  std::vector<ModuleChoice> cameras;                              ///< only cameras that the scenario names, by name
+  ModuleChoice control;                                           ///< module "none": no control software
+  std::vector<NamedValue> properties;                             ///< name: object path and property, "trunk.mass"
+  std::optional<Located<PlanarPose>> kickoff_own, kickoff_other;  ///< X_WB; absent: the referee's own choice
+
+  std::string path() const { return "robots." + team + "." + std::to_string(number); }
+};
+
+struct RefereeSettings {
+  Located<bool> enabled{true, {}};
+  Located<std::string> kickoff_team{"red", {}};
+  Located<double> kickoff_wait{10.0, {}};     ///< the other team may play after this even if the ball rests [s]
+  Located<double> ball_moved{.05, {}};        ///< ball is in play when moved this far from the mark [m]
+  Located<double> pause_after_goal{2.0, {}};  ///< [s]
+  Located<double> half_length{0.0, {}};       ///< [s]; 0: one half that lasts as long as the run
+};
+
+struct OutputSettings {
+  Located<std::string> directory{"out", {}};
+  Located<std::string> record{"none", {}};  ///< file of the recorder, relative to directory; "none": off
+  Located<std::string> video{"none", {}};   ///< file, relative to directory; "none": no video
+  Located<bool> pictures{true, {}};         ///< bird's eye and camera pictures at the end
+};
+
+struct Scene {
+  std::filesystem::path file;
+  SimulationSettings simulation;
+  FieldSettings field;
+  BallSettings ball;
+  std::vector<SurfacePair> surfaces;  ///< built-in table and the scenario's changes, sorted by (first, second)
+  TeamSettings red{"red", {true, {}}}, blue{"blue", {false, {}}};
+  std::vector<RobotSettings> robots;  ///< red before blue, then by number
+  RefereeSettings referee;
+  OutputSettings output;
+};
+
+/// What both teams measure before the game.
+client::FieldDescription fieldDescription(const Scene& scene);
+/// The pair of two surfaces in either order, or nullptr.
+const SurfacePair* findSurfacePair(const Scene& scene, std::string_view a, std::string_view b);
+
+}  // namespace murosimf
