@@ -23,7 +23,7 @@ if(MUROSIMF_SANITIZE)
   add_link_options(-fsanitize=${MUROSIMF_SANITIZE})
 endif()
 
-set(murosimf_kernel_compiler "")
+unset(murosimf_kernel_compiler)
 if(MUROSIMF_KERNEL_COMPILER)
   find_program(murosimf_kernel_compiler ${MUROSIMF_KERNEL_COMPILER} NO_CACHE)
   if(NOT murosimf_kernel_compiler)
