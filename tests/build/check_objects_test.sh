@@ -6,9 +6,9 @@ compiler=$1
 root=$(mktemp -d)
 trap 'rm -rf "$root"' EXIT
 compile() {  # compile FILE SOURCE FLAGS...
-  rm -rf "$root/CMakeFiles" && mkdir -p "$root/CMakeFiles"
+  rm -rf "$root/CMakeFiles" && mkdir -p "$root/CMakeFiles/murosimf_x.dir"
   printf '%s\n' "$2" >"$root/source.cpp"
-  "$compiler" -std=c++20 -O2 "${@:3}" -c "$root/source.cpp" -o "$root/CMakeFiles/$1.o"
+  "$compiler" -std=c++20 -O2 "${@:3}" -c "$root/source.cpp" -o "$root/CMakeFiles/murosimf_x.dir/$1.o"
 }
 refuses() {
   if "$here/../../tools/check_objects.sh" "$root" 2>"$root/log"; then echo "error: accepted $1" >&2; exit 1; fi
@@ -19,7 +19,7 @@ compile sum.cpp '#include <immintrin.h>
 namespace isa_v4 { void add(double* a) { _mm512_storeu_pd(a, _mm512_add_pd(_mm512_loadu_pd(a), _mm512_set1_pd(1))); } }' \
   -march=x86-64-v4
 refuses '512-bit register'
-mv "$root/CMakeFiles/sum.cpp.o" "$root/CMakeFiles/sum_v4.cpp.o"
+mv "$root/CMakeFiles/murosimf_x.dir/sum.cpp.o" "$root/CMakeFiles/murosimf_x.dir/sum_v4.cpp.o"
 "$here/../../tools/check_objects.sh" "$root"
 compile inline_v4.cpp 'inline __attribute__((noinline)) double twice(double x) { return 2 * x; } double f(double x) { return twice(x); }' \
   -march=x86-64-v4
