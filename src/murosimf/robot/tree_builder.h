@@ -13,6 +13,7 @@
 /// not finite.
 
 #include <optional>
+#include <set>
 #include <string>
 
 #include "murosimf/robot/kinematic_tree.h"
@@ -59,7 +60,7 @@ class TreeBuilder {
   void claimName(const std::string& name);
   KinematicTree tree_;
   std::vector<int> successors_;  ///< of each element
-  std::vector<std::string> names_;
+  std::set<std::string> names_;
 };
 
 /// The first joint (or -1, the base) whose bodies together have no mass, if there is one: it would have no inertia.
