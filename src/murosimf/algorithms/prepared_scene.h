@@ -1,0 +1,31 @@
+#pragma once
+
+/// @file A scene as one camera sees it, ready for casting: the work memory of one picture, to be used again for the
+/// next.
+
+#include <vector>
+
+#include "murosimf/algorithms/cast_data.h"
+
+namespace murosimf {
+
+/// Filled by prepareScene(), read by castRows(). Nothing in it needs to be known by its owner; its vectors keep their
+/// memory. Not to be copied once filled: `cast` points into the vectors.
+struct PreparedScene {
+  /// A surface's rectangle of slopes, nearest inverse depth and place in `surfaces`.
+  struct Extent {
+    float x_low, x_high, y_low, y_high, nearest;
+    std::int32_t surface;
+  };
+
+  CastScene cast{};
+  std::vector<CastSurface> surfaces;
+  std::vector<Extent> extents;                                      ///< front to back
+  std::vector<float> row_x_low, row_x_high, row_y_low, row_y_high;  ///< of all rows of tiles, one after the other
+  std::vector<std::int32_t> row_surface;
+  std::vector<CastRow> rows;
+  std::vector<float> strips;  ///< the eight arrays of CastGround, one after the other
+  std::vector<CastRing> rings;
+};
+
+}  // namespace murosimf
