@@ -67,6 +67,7 @@ struct SpherePair {
   SurfacePair surface;
   SphereContact contact;  ///< out: as detected last in this frame
   Vector3 impulse;        ///< out: on A, sum over the frame [N s]
+  Vector3 moment_B;       ///< out: on B, about its X_start.translation, sum over the frame [N m s]
   bool touched = false;   ///< out: an impulse passed in this frame
 };
 
@@ -108,5 +109,10 @@ struct KeptContact {
   std::uint64_t overlapped = 0;  ///< 1: began as an overlap (a teleport), so it separates slowly
   friend bool operator==(const KeptContact&, const KeptContact&) = default;
 };
+inline KeptContact freshContact(const ContactKey& key) {
+  KeptContact contact;
+  contact.key = key;
+  return contact;
+}
 
 }  // namespace murosimf

@@ -49,9 +49,10 @@ class PairSolver {
 
  private:
   void recall(FrameContacts& frame);
-  void sumPartners(FrameContacts& frame) const;
+  static void sumPartners(FrameContacts& frame);
 
   std::vector<KeptContact> kept_;
+  std::vector<KeptContact> recalled_;  // one per pair of the frame
   std::unique_ptr<IslandSolver> islands_;
 };
 
