@@ -16,6 +16,8 @@ namespace murosimf {
 enum class JointKind : std::uint8_t { kRevolute, kPrismatic };
 
 struct TreeRow {
+  friend bool operator==(const TreeRow&, const TreeRow&) = default;
+
   int parent = -1;  ///< row of the parent body; -1 for the base
   JointKind kind = JointKind::kRevolute;
   int axis = 2;         ///< 0, 1, 2: x, y, z of F
@@ -27,6 +29,7 @@ struct TreeTable {
   std::vector<TreeRow> rows;
   int bodyCount() const { return static_cast<int>(rows.size()); }
   int jointCount() const { return bodyCount() - 1; }
+  friend bool operator==(const TreeTable&, const TreeTable&) = default;
 };
 
 }  // namespace murosimf

@@ -114,6 +114,7 @@ inline Pack<T, W> select(Mask<T, W> mask, Pack<T, W> a, Pack<T, W> b) {
 }
 inline double select(bool mask, double a, double b) { return mask ? a : b; }
 inline float select(bool mask, float a, float b) { return mask ? a : b; }
+inline int select(bool mask, int a, int b) { return mask ? a : b; }
 
 /// a b + c, rounded once.
 inline double fma(double a, double b, double c) { return __builtin_fma(a, b, c); }
@@ -135,14 +136,15 @@ inline Pack<double, 4> sqrt(Pack<double, 4> x) { return Pack<double, 4>(_mm256_s
 inline Pack<float, 8> sqrt(Pack<float, 8> x) { return Pack<float, 8>(_mm256_sqrt_ps(x.v)); }
 
 #ifdef __AVX512F__
+// Square roots in the masked form: the plain one of g++ 12 begins with an undefined register, which it warns about.
 inline Pack<double, 8> fma(Pack<double, 8> a, Pack<double, 8> b, Pack<double, 8> c) {
   return Pack<double, 8>(_mm512_fmadd_pd(a.v, b.v, c.v));
 }
 inline Pack<double, 8> fnma(Pack<double, 8> a, Pack<double, 8> b, Pack<double, 8> c) {
   return Pack<double, 8>(_mm512_fnmadd_pd(a.v, b.v, c.v));
 }
-inline Pack<double, 8> sqrt(Pack<double, 8> x) { return Pack<double, 8>(_mm512_sqrt_pd(x.v)); }
-inline Pack<float, 16> sqrt(Pack<float, 16> x) { return Pack<float, 16>(_mm512_sqrt_ps(x.v)); }
+inline Pack<double, 8> sqrt(Pack<double, 8> x) { return Pack<double, 8>(_mm512_mask_sqrt_pd(x.v, 0xff, x.v)); }
+inline Pack<float, 16> sqrt(Pack<float, 16> x) { return Pack<float, 16>(_mm512_mask_sqrt_ps(x.v, 0xffff, x.v)); }
 #endif
 
 /// Smaller and larger of two; b where they are equal or one is NaN, in scalar and pack alike.

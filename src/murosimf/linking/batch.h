@@ -1,0 +1,68 @@
+#pragma once
+
+/// @file Batches: robots of the same structure with the same modules, stepped together in blocks of lanes.
+
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "murosimf/linking/module.h"
+
+namespace murosimf {
+
+/// Doubles at an address divisible by 64, the size of the widest register and of a cache line.
+class AlignedDoubles {
+ public:
+  AlignedDoubles() = default;
+  explicit AlignedDoubles(std::size_t count, double value = 0);
+  double* data() const { return data_.get(); }
+  std::size_t size() const { return size_; }
+
+ private:
+  struct Free {
+    void operator()(double* p) const { std::free(p); }
+  };
+  std::unique_ptr<double, Free> data_;
+  std::size_t size_ = 0;
+};
+
+/// One property of one subset, as laid out in the blocks of a batch.
+struct ColumnLayout {
+  std::string property, unit, subset;
+  ColumnRef ref;
+  int objects = 0, components = 0;
+  Storage storage = Storage::kState;
+  std::vector<double> initial;
+};
+
+/// One module linked to a batch.
+struct LinkedPass {
+  std::unique_ptr<BlockModule> module;
+  std::string name;
+  Phase phase = Phase::kAdvance;
+  int period = 1;         ///< in frames
+  double dt = 0;          ///< in seconds
+  bool scheduled = true;  ///< false: nobody reads what it would compute
+};
+
+/// Robots stepped together. Block b holds members b*width ... ; the lanes behind the last member repeat it.
+struct Batch {
+  std::vector<ObjectId> members;
+  int width = 1;
+  std::vector<LinkedPass> passes;  ///< in the order in which they run
+  std::vector<ColumnLayout> columns;
+  std::size_t state_size = 0, step_size = 0, own_size = 0;  ///< numbers per lane
+  std::vector<AlignedDoubles> state, own;                   ///< one piece a block
+  AlignedDoubles shared;                                    ///< constants equal for all members
+
+  int blockCount() const { return static_cast<int>(state.size()); }
+  BlockMemory block(int index, double* step_memory) const {
+    const auto i = static_cast<std::size_t>(index);
+    return {{state[i].data(), step_memory, shared.data(), own[i].data()}};
+  }
+  const ColumnLayout* column(std::string_view property, std::string_view subset) const;
+};
+
+}  // namespace murosimf

@@ -1,0 +1,120 @@
+#pragma once
+
+/// @file What a module takes and gives, said in words that can be listed, checked and scheduled.
+
+#include <any>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "murosimf/world/property.h"
+#include "murosimf/world/world.h"
+
+namespace murosimf {
+
+/// How a module touches a property.
+enum class Access {
+  kNeeds,      ///< a constant that must be there
+  kUses,       ///< a constant with a default
+  kReads,      ///< a variable whose writer runs before in the same step
+  kReadsLast,  ///< a variable as it stood before this step: the one way to close a loop, visible here
+  kAdds,       ///< a variable that this module alone writes
+};
+
+/// The part of the frame in which a module's pass runs.
+enum class Phase {
+  kPrescribe,  ///< robots whose motion is given choose their path to the end of the step, before contacts are solved
+  kAdvance,    ///< robots with dynamics advance under the contacts' forces
+  kSense,      ///< sensors read the state at the end of the frame
+};
+
+/// One line of a declaration.
+struct DeclaredProperty {
+  Access access = Access::kReads;
+  std::string_view name, unit, meaning, subset;
+  int components = 0;  ///< numbers per object; 0: a value that is no set of numbers (tree, lens)
+  Storage storage = Storage::kState;
+  bool structural = false;      ///< robots of one batch must have equal values
+  std::vector<double> initial;  ///< variables: first value; constants with default: the default
+  /// Constants: the numbers of an object's value; false when it is missing or of another type.
+  bool (*numbers)(const World&, ObjectId, std::string_view, std::vector<double>&) = nullptr;
+  bool (*equal)(const World&, ObjectId, ObjectId, std::string_view) = nullptr;
+};
+
+/// Filled by Module::declare(). Pure data: the same words give the table of modules, the schedule and link errors.
+class Declaration {
+ public:
+  /// A constant that every object of the subset must have.
+  template <class T>
+  void needs(const Constant<T>& property, std::string_view of = subset::kSelf) {
+    add(property, Access::kNeeds, of);
+  }
+  /// A constant that counts as `initial` on objects that do not have it.
+  template <class T>
+  void uses(const Constant<T>& property, const T& initial, std::string_view of = subset::kSelf) {
+    DeclaredProperty& line = add(property, Access::kUses, of);
+    if constexpr (kIsNumeric<T>) line.initial = numbersOf(initial);
+  }
+  template <class T>
+  void reads(const Variable<T>& property, std::string_view of = subset::kSelf) {
+    add(property, Access::kReads, of);
+  }
+  template <class T>
+  void readsLast(const Variable<T>& property, std::string_view of = subset::kSelf) {
+    add(property, Access::kReadsLast, of);
+  }
+  template <class T>
+  void adds(const Variable<T>& property, std::string_view of = subset::kSelf) {
+    add(property, Access::kAdds, of);
+  }
+  void runsIn(Phase phase) { phase_ = phase; }
+
+  const std::vector<DeclaredProperty>& properties() const { return properties_; }
+  Phase phase() const { return phase_; }
+
+  template <class T>
+  static std::vector<double> numbersOf(const T& value) {
+    std::vector<double> numbers(sizeof(T) / sizeof(double));
+    __builtin_memcpy(numbers.data(), &value, sizeof(T));
+    return numbers;
+  }
+
+ private:
+  template <class T>
+  static bool readNumbers(const World& world, ObjectId id, std::string_view name, std::vector<double>& out) {
+    const auto value = world.find(id, Constant<T>{name, {}, {}});
+    if (!value) return false;
+    if constexpr (kIsNumeric<T>) out = numbersOf(*value);
+    return true;
+  }
+  template <class T>
+  static bool areEqual(const World& world, ObjectId a, ObjectId b, std::string_view name) {
+    const Constant<T> key{name, {}, {}};
+    return world.find(a, key) == world.find(b, key);
+  }
+  template <class T>
+  DeclaredProperty& add(const Constant<T>& p, Access access, std::string_view of) {
+    constexpr int kComponents = kIsNumeric<T> ? static_cast<int>(sizeof(T) / sizeof(double)) : 0;
+    return properties_.emplace_back(DeclaredProperty{access,
+                                                     p.name,
+                                                     p.unit,
+                                                     p.meaning,
+                                                     of,
+                                                     kComponents,
+                                                     Storage::kState,
+                                                     !kIsNumeric<T>,
+                                                     {},
+                                                     &readNumbers<T>,
+                                                     &areEqual<T>});
+  }
+  template <class T>
+  DeclaredProperty& add(const Variable<T>& p, Access access, std::string_view of) {
+    return properties_.emplace_back(DeclaredProperty{access, p.name, p.unit, p.meaning, of, Variable<T>::kComponents,
+                                                     p.storage, false, numbersOf(T{}), nullptr, nullptr});
+  }
+
+  std::vector<DeclaredProperty> properties_;
+  Phase phase_ = Phase::kAdvance;
+};
+
+}  // namespace murosimf

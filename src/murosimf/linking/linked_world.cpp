@@ -1,0 +1,56 @@
+#include "murosimf/linking/linked_world.h"
+
+#include <algorithm>
+
+namespace murosimf {
+
+std::size_t LinkedWorld::stepMemorySize() const {
+  std::size_t most = 1;
+  for (const Batch& batch : batches_) most = std::max(most, batch.step_size * static_cast<std::size_t>(batch.width));
+  return most;
+}
+
+namespace {
+
+/// Sensors look at the end of their period, everything else steps from its beginning.
+bool isDue(const LinkedPass& pass, long frame) {
+  return (pass.phase == Phase::kSense ? frame + 1 : frame) % pass.period == 0;
+}
+
+}  // namespace
+
+void LinkedWorld::runBlock(Phase phase, const Batch& batch, int block, long frame, double* step_memory) const {
+  const BlockMemory memory = batch.block(block, step_memory);
+  for (const LinkedPass& pass : batch.passes) {
+    if (pass.phase != phase || !isDue(pass, frame)) continue;
+    pass.module->step(memory, {static_cast<double>(frame) * frame_length_, pass.dt, frame});
+  }
+}
+
+void LinkedWorld::run(Phase phase, long frame, double* step_memory) const {
+  for (const Batch& batch : batches_) {
+    for (int b = 0; b < batch.blockCount(); ++b) runBlock(phase, batch, b, frame, step_memory);
+  }
+}
+
+double* LinkedWorld::element(const Place& place, const ColumnLayout& layout) const {
+  const Batch& batch = batches_[static_cast<std::size_t>(place.batch)];
+  const AlignedDoubles& state = batch.state[static_cast<std::size_t>(place.block)];
+  return state.data() + layout.ref.offset * batch.width + place.lane;
+}
+
+double* LinkedWorld::locate(ObjectId assembly, std::string_view property, std::string_view of, int& stride,
+                            int& objects) {
+  for (const Place& place : places_) {
+    if (place.assembly != assembly) continue;
+    const Batch& batch = batches_[static_cast<std::size_t>(place.batch)];
+    const ColumnLayout* layout = batch.column(property, of);
+    if (layout == nullptr || layout->ref.memory != MemoryKind::kState) return nullptr;
+    stride = batch.width;
+    objects = layout->objects;
+    return element(place, *layout);
+  }
+  return nullptr;
+}
+
+}  // namespace murosimf

@@ -1,0 +1,110 @@
+#pragma once
+
+/// @file The world after linking: blocks of columns, and the passes that step them.
+
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "murosimf/linking/batch.h"
+
+namespace murosimf {
+
+/// One robot's values of one column, found without names. Valid as long as the linked world.
+template <class T>
+class Handle {
+ public:
+  Handle() = default;
+  Handle(double* first, int stride, int objects) : first_(first), stride_(stride), objects_(objects) {}
+
+  bool valid() const { return first_ != nullptr; }
+  int size() const { return objects_; }
+  /// Value of the subset's object number `object`.
+  T get(int object = 0) const {
+    double numbers[sizeof(T) / sizeof(double)];
+    const double* source = first_ + object * kNumbers * stride_;
+    for (int i = 0; i < kNumbers; ++i) numbers[i] = source[i * stride_];
+    T value;
+    __builtin_memcpy(&value, numbers, sizeof(T));
+    return value;
+  }
+  void set(const T& value, int object = 0) {
+    double numbers[sizeof(T) / sizeof(double)];
+    __builtin_memcpy(numbers, &value, sizeof(T));
+    double* target = first_ + object * kNumbers * stride_;
+    for (int i = 0; i < kNumbers; ++i) target[i * stride_] = numbers[i];
+  }
+
+ private:
+  static constexpr int kNumbers = static_cast<int>(sizeof(T) / sizeof(double));
+  double* first_ = nullptr;
+  int stride_ = 1;
+  int objects_ = 0;
+};
+
+/// One line of the schedule, for people.
+struct PassReport {
+  std::string assembly, module;
+  Phase phase = Phase::kAdvance;
+  double dt = 0;  ///< [s]
+  bool scheduled = true;
+  std::string unread;  ///< when not scheduled: the variables that nobody reads
+};
+
+/// Where an assembly's columns lie.
+struct Place {
+  ObjectId assembly;
+  int batch = -1, block = 0, lane = 0;
+};
+
+class LinkedWorld {
+ public:
+  explicit LinkedWorld(double frame_length) : frame_length_(frame_length) {}
+
+  double frameLength() const { return frame_length_; }
+  const std::deque<Batch>& batches() const { return batches_; }
+  const std::vector<Place>& places() const { return places_; }  ///< in the order of paths
+  const std::vector<PassReport>& passes() const { return reports_; }
+  /// Numbers of step memory that a thread needs to run any block.
+  std::size_t stepMemorySize() const;
+
+  /// An assembly's column; an invalid handle when linking did not create it.
+  template <class T>
+  Handle<T> handle(ObjectId assembly, const Variable<T>& property, std::string_view of = subset::kSelf) {
+    int stride = 1, objects = 0;
+    double* first = locate(assembly, property.name, of, stride, objects);
+    return {first, stride, objects};
+  }
+  /// Runs the passes of one phase that are due in this frame, on one block.
+  void runBlock(Phase phase, const Batch& batch, int block, long frame, double* step_memory) const;
+  /// Same on all blocks, one after the other.
+  void run(Phase phase, long frame, double* step_memory) const;
+
+  /// Calls visit(layout, object index in subset, component, value reference) for every number of state of an assembly,
+  /// in a fixed order: by property, then subset.
+  template <class Visitor>
+  void visitState(const Place& place, Visitor&& visit) const {
+    const Batch& batch = batches_[static_cast<std::size_t>(place.batch)];
+    for (const ColumnLayout& layout : batch.columns) {
+      if (layout.ref.memory != MemoryKind::kState || layout.storage != Storage::kState) continue;
+      double* first = element(place, layout);
+      for (int i = 0; i < layout.objects; ++i) {
+        for (int c = 0; c < layout.components; ++c) {
+          visit(layout, i, c, first[(i * layout.components + c) * batch.width]);
+        }
+      }
+    }
+  }
+
+ private:
+  friend class Linker;
+  double* element(const Place& place, const ColumnLayout& layout) const;
+  double* locate(ObjectId assembly, std::string_view property, std::string_view of, int& stride, int& objects);
+
+  double frame_length_;
+  std::deque<Batch> batches_;
+  std::vector<Place> places_;
+  std::vector<PassReport> reports_;
+};
+
+}  // namespace murosimf

@@ -1,0 +1,203 @@
+#include "murosimf/linking/linker.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "murosimf/linking/linker_plan.h"
+#include "murosimf/linking/links.h"
+#include "murosimf/linking/schedule.h"
+
+namespace murosimf {
+
+Linker::Linker(const World& world, const ModuleRegistry& registry, LinkOptions options)
+    : world_(world), registry_(registry), options_(options) {}
+
+namespace {
+
+/// Puts the modules of one assembly into running order and marks those that nobody reads.
+template <class Planned>
+void schedule(std::vector<Planned>& planned, const std::string& whose, Diagnostics& diagnostics) {
+  std::vector<ScheduledModule> modules;
+  for (const Planned& p : planned) modules.push_back({p.name, &p.declaration, p.outside(), true});
+  dropUnread(modules);
+  const std::vector<std::size_t> order = orderModules(modules, whose, diagnostics);
+  std::vector<Planned> sorted;
+  for (const std::size_t i : order) {
+    planned[i].scheduled = modules[i].wanted;
+    sorted.push_back(std::move(planned[i]));
+  }
+  planned = std::move(sorted);
+}
+
+std::string addedNames(const Declaration& declaration) {
+  std::string names;
+  for (const DeclaredProperty& p : declaration.properties()) {
+    if (p.access == Access::kAdds) names += (names.empty() ? "" : ", ") + std::string(p.name);
+  }
+  return names;
+}
+
+}  // namespace
+
+std::unique_ptr<LinkedWorld> Linker::link(Diagnostics& diagnostics) {
+  const int before = diagnostics.errorCount();
+  std::vector<Assembly> assemblies = plan(diagnostics);
+  checkWrittenProperties(diagnostics);
+  for (Assembly& assembly : assemblies) {
+    checkAssembly(assembly, diagnostics);
+    schedule(assembly.modules, world_.path(assembly.id), diagnostics);
+  }
+  if (diagnostics.errorCount() > before) return nullptr;
+
+  auto linked = std::make_unique<LinkedWorld>(options_.frame_length);
+  std::vector<bool> placed(assemblies.size(), false);
+  for (std::size_t i = 0; i < assemblies.size(); ++i) {
+    if (placed[i]) continue;
+    std::vector<Assembly*> members;
+    for (std::size_t k = i; k < assemblies.size(); ++k) {
+      if (placed[k] || !sameStructure(assemblies[i], assemblies[k])) continue;
+      placed[k] = true;
+      members.push_back(&assemblies[k]);
+    }
+    makeBatch(members, *linked);
+  }
+  std::sort(linked->places_.begin(), linked->places_.end(),
+            [&](const Place& a, const Place& b) { return world_.path(a.assembly) < world_.path(b.assembly); });
+  return linked;
+}
+
+int Linker::chooseWidth(std::size_t robots) const {
+  const bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq");
+  if (options_.lanes == 1 || options_.lanes == 4) return options_.lanes;
+  if (options_.lanes == 8 && wide) return 8;
+  if (robots == 1) return 1;
+  return robots <= 4 || !wide ? 4 : 8;
+}
+
+void Linker::makeBatch(const std::vector<Assembly*>& members, LinkedWorld& linked) const {
+  Batch& batch = linked.batches_.emplace_back();
+  batch.width = chooseWidth(members.size());
+  const int number = static_cast<int>(linked.batches_.size()) - 1;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const int index = static_cast<int>(i);
+    batch.members.push_back(members[i]->id);
+    linked.places_.push_back({members[i]->id, number, index / batch.width, index % batch.width});
+    for (const Planned& p : members[i]->modules) {
+      if (p.outside()) continue;
+      linked.reports_.push_back({world_.path(members[i]->id), p.name, p.declaration.phase(),
+                                 p.period * options_.frame_length, p.scheduled,
+                                 p.scheduled ? "" : addedNames(p.declaration)});
+    }
+  }
+  layOut(members, batch);
+  linkPasses(*members.front(), batch);
+}
+
+namespace {
+
+/// Reserves room for a column behind the others of its memory.
+void append(Batch& batch, const DeclaredProperty& p, MemoryKind memory, std::size_t& size, int objects) {
+  batch.columns.push_back({std::string(p.name),
+                           std::string(p.unit),
+                           std::string(p.subset),
+                           {static_cast<int>(size), memory},
+                           objects,
+                           p.components,
+                           p.storage,
+                           p.initial});
+  size += static_cast<std::size_t>(objects) * static_cast<std::size_t>(p.components);
+}
+
+void fillInitial(const Batch& batch) {
+  for (const ColumnLayout& column : batch.columns) {
+    if (column.ref.memory != MemoryKind::kState) continue;
+    for (const AlignedDoubles& piece : batch.state) {
+      double* at = piece.data() + column.ref.offset * batch.width;
+      for (int i = 0; i < column.objects; ++i) {
+        for (const double value : column.initial) at = std::fill_n(at, batch.width, value);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void Linker::layOut(const std::vector<Assembly*>& members, Batch& batch) const {
+  const Assembly& one = *members.front();
+  std::vector<const DeclaredProperty*> variables, constants;
+  for (const Planned& module : one.modules) {
+    if (!module.scheduled) continue;
+    for (const DeclaredProperty& p : module.declaration.properties()) {
+      const bool constant = p.access == Access::kNeeds || p.access == Access::kUses;
+      if (constant && p.components > 0 && !module.outside()) constants.push_back(&p);
+      if (p.access == Access::kAdds) variables.push_back(&p);
+    }
+  }
+  std::sort(variables.begin(), variables.end(), [](const DeclaredProperty* a, const DeclaredProperty* b) {
+    return std::tie(a->name, a->subset) < std::tie(b->name, b->subset);
+  });
+  for (const DeclaredProperty* p : variables) {
+    const int objects = static_cast<int>(world_.members(one.id, p->subset).size());
+    const bool step = p->storage == Storage::kStep;
+    append(batch, *p, step ? MemoryKind::kStep : MemoryKind::kState, step ? batch.step_size : batch.state_size,
+           objects);
+  }
+  const std::size_t width = static_cast<std::size_t>(batch.width);
+  const std::size_t blocks = (members.size() + width - 1) / width;
+  for (std::size_t b = 0; b < blocks; ++b) batch.state.emplace_back(batch.state_size * width);
+  fillInitial(batch);
+  fillConstants(batch, constants);
+}
+
+void Linker::fillConstants(Batch& batch, const std::vector<const DeclaredProperty*>& constants) const {
+  const auto valuesOf = [&](ObjectId robot, const DeclaredProperty& p) {
+    std::vector<double> all, one;
+    for (const ObjectId object : world_.members(robot, p.subset)) {
+      if (!p.numbers(world_, object, p.name, one)) one = p.initial;
+      all.insert(all.end(), one.begin(), one.end());
+    }
+    return all;
+  };
+  std::size_t shared_size = 0;
+  std::vector<const DeclaredProperty*> laid_out;
+  for (const DeclaredProperty* p : constants) {
+    if (batch.column(p->name, p->subset) != nullptr) continue;
+    const std::vector<double> first = valuesOf(batch.members.front(), *p);
+    const bool equal = std::all_of(batch.members.begin(), batch.members.end(),
+                                   [&](ObjectId robot) { return valuesOf(robot, *p) == first; });
+    const int objects = static_cast<int>(world_.members(batch.members.front(), p->subset).size());
+    append(batch, *p, equal ? MemoryKind::kSharedConstant : MemoryKind::kOwnConstant,
+           equal ? shared_size : batch.own_size, objects);
+    laid_out.push_back(p);
+  }
+  const std::size_t width = static_cast<std::size_t>(batch.width);
+  batch.shared = AlignedDoubles(shared_size * width);
+  for (std::size_t b = 0; b < batch.state.size(); ++b) batch.own.emplace_back(batch.own_size * width);
+  for (const DeclaredProperty* p : laid_out) {
+    const ColumnLayout& column = *batch.column(p->name, p->subset);
+    const bool own = column.ref.memory == MemoryKind::kOwnConstant;
+    for (std::size_t lane = 0; lane < batch.state.size() * width; ++lane) {
+      const ObjectId robot = batch.members[std::min(lane, batch.members.size() - 1)];
+      double* base = own ? batch.own[lane / width].data() : batch.shared.data();
+      const std::vector<double> values = valuesOf(robot, *p);
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        base[(static_cast<std::size_t>(column.ref.offset) + i) * width + lane % width] = values[i];
+      }
+    }
+  }
+}
+
+void Linker::linkPasses(Assembly& representative, Batch& batch) const {
+  for (Planned& planned : representative.modules) {
+    if (planned.outside() || !planned.scheduled) continue;
+    Links links(world_, batch, planned.parameters);
+    planned.module->link(links);
+    for (int b = 0; b < batch.blockCount(); ++b) planned.module->initialise(batch.block(b, nullptr));
+    batch.passes.push_back({std::move(planned.module), planned.name, planned.declaration.phase(), planned.period,
+                            planned.period * options_.frame_length, true});
+  }
+}
+
+}  // namespace murosimf

@@ -1,0 +1,155 @@
+#include "murosimf/linking/schedule.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace murosimf {
+
+namespace {
+
+bool touches(const Declaration& d, Access access, const DeclaredProperty& p) {
+  return std::any_of(d.properties().begin(), d.properties().end(), [&](const DeclaredProperty& q) {
+    return q.access == access && q.name == p.name && q.subset == p.subset;
+  });
+}
+
+/// The first variable that `reader` reads and `writer` adds; null when there is none.
+const DeclaredProperty* link(const ScheduledModule& writer, const ScheduledModule& reader) {
+  for (const DeclaredProperty& p : reader.declaration->properties()) {
+    if (p.access == Access::kReads && touches(*writer.declaration, Access::kAdds, p)) return &p;
+  }
+  return nullptr;
+}
+
+/// Depth-first search that appends a module after all its writers.
+struct Search {
+  const std::vector<ScheduledModule>& modules;
+  const std::string& whose;
+  Diagnostics& diagnostics;
+  std::vector<int> mark;  // 0 new, 1 on the path, 2 done
+  std::vector<std::size_t> path, order;
+
+  void visit(std::size_t i) {
+    if (mark[i] == 2) return;
+    if (mark[i] == 1) return reportCycle(i);
+    mark[i] = 1;
+    path.push_back(i);
+    for (std::size_t w = 0; w < modules.size(); ++w) {
+      const DeclaredProperty* p = w == i || modules[w].outside ? nullptr : link(modules[w], modules[i]);
+      if (p == nullptr || modules[i].outside) continue;
+      if (modules[w].declaration->phase() > modules[i].declaration->phase()) {
+        diagnostics.error(
+            {}, fmt::format("{}: module {} reads {}, which {} writes later in the frame; expected readsLast", whose,
+                            modules[i].name, p->name, modules[w].name));
+        continue;
+      }
+      visit(w);
+    }
+    path.pop_back();
+    mark[i] = 2;
+    order.push_back(i);
+  }
+  void reportCycle(std::size_t i) {
+    std::string names;
+    for (auto it = std::find(path.begin(), path.end(), i); it != path.end(); ++it) names += modules[*it].name + " -> ";
+    diagnostics.error({}, fmt::format("{}: modules wait for each other: {}{}; one must use readsLast", whose, names,
+                                      modules[i].name));
+  }
+};
+
+}  // namespace
+
+std::vector<std::size_t> orderModules(const std::vector<ScheduledModule>& modules, const std::string& whose,
+                                      Diagnostics& diagnostics) {
+  Search search{modules, whose, diagnostics, std::vector<int>(modules.size(), 0), {}, {}};
+  for (const Phase phase : {Phase::kPrescribe, Phase::kAdvance, Phase::kSense}) {
+    for (std::size_t i = 0; i < modules.size(); ++i) {
+      if (modules[i].declaration->phase() == phase) search.visit(i);
+    }
+  }
+  return search.order;
+}
+
+void dropUnread(std::vector<ScheduledModule>& modules) {
+  for (ScheduledModule& m : modules) {
+    const auto& properties = m.declaration->properties();
+    m.wanted = m.outside || std::any_of(properties.begin(), properties.end(), [](const DeclaredProperty& p) {
+                 return p.access == Access::kAdds && p.storage == Storage::kState;
+               });
+  }
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (ScheduledModule& m : modules) {
+      if (m.wanted) continue;
+      m.wanted = std::any_of(modules.begin(), modules.end(), [&](const ScheduledModule& reader) {
+        if (!reader.wanted || &reader == &m) return false;
+        return std::any_of(reader.declaration->properties().begin(), reader.declaration->properties().end(),
+                           [&](const DeclaredProperty& p) {
+                             return (p.access == Access::kReads || p.access == Access::kReadsLast) &&
+                                    touches(*m.declaration, Access::kAdds, p);
+                           });
+      });
+      changed = changed || m.wanted;
+    }
+  }
+}
+
+std::unique_ptr<BlockModule> makeDefault(const ModuleEntry& entry) {
+  Diagnostics none;
+  return entry.create(resolveParameters(entry.name, entry.parameters, {}, none));
+}
+
+namespace {
+
+std::string_view wordFor(Access access) {
+  switch (access) {
+    case Access::kNeeds:
+      return "needs";
+    case Access::kUses:
+      return "uses";
+    case Access::kReads:
+      return "reads";
+    case Access::kReadsLast:
+      return "reads last";
+    case Access::kAdds:
+      return "adds";
+  }
+  return "";
+}
+std::string_view wordFor(Phase phase) {
+  return phase == Phase::kPrescribe ? "prescribe" : phase == Phase::kAdvance ? "advance" : "sense";
+}
+
+}  // namespace
+
+std::string moduleTable(const ModuleRegistry& registry) {
+  std::string out =
+      fmt::format("{:<20} {:<11} {:<22} {:<8} {:<7} {}\n", "module", "access", "property", "of", "unit", "meaning");
+  for (const ModuleEntry& entry : registry.entries()) {
+    out += fmt::format("\n{} ({}): {}\n", entry.name, entry.concern, entry.summary);
+    Declaration declaration;
+    makeDefault(entry)->declare(declaration);
+    for (const DeclaredProperty& p : declaration.properties()) {
+      out += fmt::format("{:<20} {:<11} {:<22} {:<8} {:<7} {}\n", "", wordFor(p.access), p.name, p.subset, p.unit,
+                         p.meaning);
+    }
+    for (const ParameterInfo& p : entry.parameters) {
+      out += fmt::format("{:<20} {:<11} {:<22} {:<8} {:<7} {} (default {})\n", "", "parameter", p.name, "", p.unit,
+                         p.meaning, p.initial);
+    }
+  }
+  return out;
+}
+
+std::string passTable(const LinkedWorld& linked) {
+  std::string out = fmt::format("{:<20} {:<10} {:<20} {:<9} {}\n", "assembly", "phase", "module", "period", "");
+  for (const PassReport& pass : linked.passes()) {
+    out +=
+        fmt::format("{:<20} {:<10} {:<20} {:<9} {}\n", pass.assembly, wordFor(pass.phase), pass.module,
+                    fmt::format("{} s", pass.dt), pass.scheduled ? "" : "not scheduled: nobody reads " + pass.unread);
+  }
+  return out;
+}
+
+}  // namespace murosimf

@@ -1,0 +1,46 @@
+#pragma once
+
+/// @file Kernel of ideal_servo.h.
+
+#include "murosimf/linking/kernel.h"
+
+namespace murosimf {
+
+struct IdealServoArguments {
+  int joints = 0;
+  ColumnRef command, position, velocity, lower, upper, largest_velocity;
+};
+
+void addBaselineKernels(KernelSet<IdealServoArguments>& kernels);
+void addWideKernels(KernelSet<IdealServoArguments>& kernels);
+
+inline namespace MUROSIMF_ISA {
+
+/// The five numbers of a ServoCommand, one per lane.
+template <class S>
+struct CommandLanes {
+  S position, velocity, torque, kp, kd;
+};
+
+template <class S>
+void idealServo(const IdealServoArguments& a, const BlockMemory& block, const StepTime& time) {
+  const auto* command = columnAt<CommandLanes<S>, S>(block, a.command);
+  S* q = columnAt<S, S>(block, a.position);
+  S* v = columnAt<S, S>(block, a.velocity);
+  const S* lower = columnAt<S, S>(block, a.lower);
+  const S* upper = columnAt<S, S>(block, a.upper);
+  const S* fastest = columnAt<S, S>(block, a.largest_velocity);
+  const S dt(time.dt);
+  for (int j = 0; j < a.joints; ++j) {
+    const S demanded = select(command[j].kp > S(0), command[j].position, q[j]);
+    const S limit = select(command[j].velocity > S(0), min(command[j].velocity, fastest[j]), fastest[j]) * dt;
+    const S wanted = clamp(demanded, lower[j], upper[j]);
+    const S difference = wanted - q[j];
+    const S next = select(abs(difference) <= limit, wanted, q[j] + withSignOf(limit, difference));
+    v[j] = (next - q[j]) / dt;
+    q[j] = next;
+  }
+}
+
+}  // namespace MUROSIMF_ISA
+}  // namespace murosimf

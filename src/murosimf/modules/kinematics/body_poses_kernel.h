@@ -1,0 +1,39 @@
+#pragma once
+
+/// @file Kernel of body_poses.h.
+
+#include "murosimf/modules/kinematics/tree_rows.h"
+
+namespace murosimf {
+
+struct BodyPosesArguments {
+  const KernelRow* rows = nullptr;
+  int bodies = 0;
+  ColumnRef q, base_pose, base_pose_last, pose, pose_last, fresh;
+};
+
+void addBaselineKernels(KernelSet<BodyPosesArguments>& kernels);
+void addWideKernels(KernelSet<BodyPosesArguments>& kernels);
+
+inline namespace MUROSIMF_ISA {
+
+template <class S>
+void bodyPoses(const BodyPosesArguments& a, const BlockMemory& block, const StepTime&) {
+  const S* q = columnAt<S, S>(block, a.q);
+  const auto* X_WB = columnAt<Transform<S>, S>(block, a.base_pose);
+  auto* pose = columnAt<Transform<S>, S>(block, a.pose);
+  auto* last = columnAt<Transform<S>, S>(block, a.pose_last);
+  S* computed_before = columnAt<S, S>(block, a.fresh);
+  for (int i = 0; i < a.bodies; ++i) last[i] = pose[i];
+  pose[0] = *X_WB;
+  for (int i = 1; i < a.bodies; ++i) pose[i] = childPose(pose[a.rows[i].parent], a.rows[i], q[i - 1]);
+  // A robot that was just put somewhere has no path that leads there.
+  const auto* X_WB_last = columnAt<Transform<S>, S>(block, a.base_pose_last);
+  const Vec3<S> moved = last[0].translation - X_WB_last->translation;
+  const auto jumped = (squaredNorm(moved) > S(0)) | (*computed_before == S(0));
+  for (int i = 0; i < a.bodies; ++i) last[i] = select(jumped, pose[i], last[i]);
+  *computed_before = S(1);
+}
+
+}  // namespace MUROSIMF_ISA
+}  // namespace murosimf

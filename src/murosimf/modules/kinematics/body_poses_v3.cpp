@@ -1,0 +1,10 @@
+#include "murosimf/modules/kinematics/body_poses_kernel.h"
+
+namespace murosimf {
+
+void addBaselineKernels(KernelSet<BodyPosesArguments>& kernels) {
+  kernels.scalar = &bodyPoses<double>;
+  kernels.four = &bodyPoses<Pack<double, 4>>;
+}
+
+}  // namespace murosimf

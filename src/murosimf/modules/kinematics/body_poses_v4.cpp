@@ -1,0 +1,7 @@
+#include "murosimf/modules/kinematics/body_poses_kernel.h"
+
+namespace murosimf {
+
+void addWideKernels(KernelSet<BodyPosesArguments>& kernels) { kernels.eight = &bodyPoses<Pack<double, 8>>; }
+
+}  // namespace murosimf

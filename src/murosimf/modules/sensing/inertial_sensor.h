@@ -1,0 +1,26 @@
+#pragma once
+
+/// @file Gyroscope and accelerometer of an inertial measurement unit, from how its body moved over the step.
+///
+/// Model      w = log(R_last^T R) / dt in the unit's axes;  f = R^T (dv/dt - g), v = (p - p_last)/dt at its origin,
+///            dv since the step before; g = (0, 0, -9.81) m/s^2. Both are means over the step, without noise.
+/// Phase      kSense, at the rate of the motion that it follows.
+/// Cost       one rotation logarithm.
+
+#include "murosimf/linking/module.h"
+#include "murosimf/modules/sensing/inertial_sensor_kernel.h"
+
+namespace murosimf {
+
+class InertialSensor final : public BlockModule {
+ public:
+  void declare(Declaration& declaration) const override;
+  void link(Links& links) override;
+  void step(const BlockMemory& block, const StepTime& time) const override { kernel_(arguments_, block, time); }
+
+ private:
+  InertialSensorArguments arguments_;
+  KernelSet<InertialSensorArguments>::Kernel kernel_ = nullptr;
+};
+
+}  // namespace murosimf

@@ -1,0 +1,93 @@
+#pragma once
+
+/// @file The shared words: properties in which modules, readers and builders meet.
+///
+/// Frames: W the field (origin at its centre, z up), B the base body of a robot, S a sole (centre of its lower face).
+
+#include <string>
+#include <vector>
+
+#include "murosimf/algorithms/shape.h"
+#include "murosimf/algorithms/tree_table.h"
+#include "murosimf/world/property.h"
+
+namespace murosimf {
+
+/// A place on a row of a robot's tree table.
+struct MountPlace {
+  int row = 0;
+  Pose X_RM;  ///< mount frame M on the row's body
+  friend bool operator==(const MountPlace&, const MountPlace&) = default;
+};
+
+/// The rectangle on which a foot stands; X_RM is the frame at the centre of its lower face.
+struct SolePlace {
+  MountPlace mount;
+  double half_length = 0, half_width = 0;  ///< along x and y [m]
+  friend bool operator==(const SolePlace&, const SolePlace&) = default;
+};
+
+/// One shape of a body: what touches and what is seen.
+struct BodyShape {
+  int row = 0;  ///< body (row of the tree table) that carries it; 0 for single bodies
+  Pose X_BS;    ///< shape on the body
+  Shape shape;
+  Colour colour;
+  std::string surface;  ///< surface type, for the table of surface pairs
+  bool collides = true, drawn = true;
+  friend bool operator==(const BodyShape&, const BodyShape&) = default;
+};
+
+/// Demand of a joint: tau = kp (position - q) + kd (velocity - dq) + torque. A position servo takes position, and
+/// velocity as its speed limit where that is positive; with kp = 0 it keeps its position.
+struct ServoCommand {
+  double position = 0, velocity = 0, torque = 0, kp = 0, kd = 0;
+};
+
+// Constants of robots.
+inline constexpr Constant<TreeTable> kTree{"tree", "", "kinematic tree of bodies and joints"};
+inline constexpr Constant<std::vector<SolePlace>> kSoles{"soles", "", "places of the soles, right and left"};
+inline constexpr Constant<MountPlace> kImuPlace{"imu_place", "", "mount of the inertial measurement unit"};
+inline constexpr Constant<std::vector<BodyShape>> kShapes{"shapes", "", "shapes of all bodies"};
+inline constexpr Constant<double> kLowerLimit{"lower_limit", "rad", "smallest joint position"};
+inline constexpr Constant<double> kUpperLimit{"upper_limit", "rad", "largest joint position"};
+inline constexpr Constant<double> kLargestVelocity{"largest_velocity", "rad/s", "no-load speed of the servo"};
+inline constexpr Constant<double> kInitialPosition{"initial_position", "rad", "joint position at the start"};
+inline constexpr Constant<double> kBlockingRadius{"blocking_radius", "m",
+                                                  "radius of the upright cylinder that kinematic robots keep clear of"};
+// Constants of single bodies.
+inline constexpr Constant<double> kMass{"mass", "kg", "m > 0"};
+inline constexpr Constant<double> kInertiaFactor{"inertia_factor", "1", "beta of a ball: I = beta m r^2"};
+inline constexpr Constant<Pose> kFixedPose{"fixed_pose", "", "X_WB of a body that never moves"};
+
+// Variables that come from outside the modules.
+inline constexpr Variable<ServoCommand> kJointCommand{"joint_command", "SI", "demand in force, from the robot port"};
+inline constexpr Variable<PlanarPose> kPlacement{"placement", "m, rad", "where somebody last put the robot"};
+inline constexpr Variable<double> kPlacementCount{"placement_count", "1", "how often somebody has put the robot"};
+inline constexpr Variable<Vector3> kPlanarShift{"planar_shift", "m", "displacement that keeps robots apart, next step"};
+
+// Variables of motion.
+inline constexpr Variable<double> kJointPosition{"joint_position", "rad", "q at the end of the step"};
+inline constexpr Variable<double> kJointVelocity{"joint_velocity", "rad/s", "mean rate of q over the step"};
+inline constexpr Variable<Pose> kBasePose{"base_pose", "m", "X_WB at the end of the step"};
+inline constexpr Variable<Pose> kBasePoseLast{"base_pose_last", "m", "X_WB at the beginning of the step"};
+inline constexpr Variable<Pose> kBodyPose{"body_pose", "m", "X_WB of each body at the end of the step", Storage::kKept};
+inline constexpr Variable<Pose> kBodyPoseLast{"body_pose_last", "m", "X_WB of each body at the beginning of the step",
+                                              Storage::kKept};
+inline constexpr Variable<Vector3> kBodyVelocity{"body_velocity", "m/s", "v_WB of a free body's centre"};
+inline constexpr Variable<Vector3> kBodyRate{"body_rate", "rad/s", "w_WB of a free body, world axes"};
+inline constexpr Variable<double> kSoleClearance{"sole_clearance", "m", "height of the sole's lowest corner",
+                                                 Storage::kKept};
+inline constexpr Variable<double> kStanceSide{"stance_side", "1", "foot that carries the robot: 0 right, 1 left"};
+inline constexpr Variable<double> kSupportSlip{"support_slip", "m/s", "speed of the other foot while it touches too",
+                                               Storage::kKept};
+inline constexpr Variable<double> kFlight{"flight", "1", "1 when the pinned foot would have to be pulled to the ground",
+                                          Storage::kKept};
+
+// Variables of sensors.
+inline constexpr Variable<Vector3> kGyroscope{"gyroscope", "rad/s", "angular velocity in the sensor's axes",
+                                              Storage::kKept};
+inline constexpr Variable<Vector3> kAccelerometer{"accelerometer", "m/s^2", "specific force in the sensor's axes",
+                                                  Storage::kKept};
+
+}  // namespace murosimf
