@@ -6,7 +6,7 @@
 /// hold their default and an empty `where` (a measure of the field: the place of the preset's name).
 /// Units are SI, angles in rad. W is the field frame: origin at the centre, +x towards the goal that red attacks
 /// unless the scenario says otherwise, z up.
-/// All values are within the ranges of scene/scenario_ranges.h. Not checked here, because only the builder and the
+/// All values are within the ranges of scene/scenario_keys.h. Not checked here, because only the builder and the
 /// linker know: names of modules, of their parameters, of cameras, of surfaces and of properties.
 
 #include <cstdint>

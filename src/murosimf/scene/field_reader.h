@@ -1,0 +1,25 @@
+#pragma once
+
+/// @file Field and surfaces of a scenario: built-in tables and what the scenario changes in them.
+
+#include <vector>
+
+#include "murosimf/scene/scene.h"
+#include "murosimf/scene/text_tree.h"
+
+namespace murosimf {
+
+/// The preset's measures, and over them those that the table [field] gives.
+FieldSettings readField(const TextNode* table, Diagnostics& diagnostics);
+
+/// The pairs of the built-in table, for frames of 1 ms: contact parameters of a kid-size robot on carpet.
+std::vector<SurfacePair> builtInSurfacePairs();
+
+/// Brings the names of [surfaces.B-A] into the order of letters; reports pairs that stand there twice and keys that
+/// name no pair (and removes both).
+void normaliseSurfaces(TextNode& scenario, Diagnostics& diagnostics);
+
+/// @param table [surfaces], normalised; nullptr: built-in pairs only
+std::vector<SurfacePair> readSurfaces(const TextNode* table, Diagnostics& diagnostics);
+
+}  // namespace murosimf

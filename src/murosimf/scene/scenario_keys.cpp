@@ -1,0 +1,251 @@
+#include "murosimf/scene/scenario_keys.h"
+
+#include <fmt/format.h>
+
+namespace murosimf {
+
+namespace {
+
+using enum ScenarioKey::Kind;
+using Key = ScenarioKey;
+
+constexpr ScenarioKey wordKey(std::string_view section, std::string_view key, std::string_view words,
+                              std::string_view fallback, std::string_view meaning) {
+  return {section, key, kWord, "", 0, 0, false, words, fallback, meaning};
+}
+constexpr ScenarioKey plainKey(std::string_view section, std::string_view key, Key::Kind kind,
+                               std::string_view fallback, std::string_view meaning) {
+  return {section, key, kind, "", 0, 0, false, "", fallback, meaning};
+}
+/// A number in [lower, upper].
+constexpr ScenarioKey from(std::string_view section, std::string_view key, std::string_view unit, double lower,
+                           double upper, std::string_view fallback, std::string_view meaning) {
+  return {section, key, kNumber, unit, lower, upper, false, "", fallback, meaning};
+}
+/// A number in (lower, upper].
+constexpr ScenarioKey above(std::string_view section, std::string_view key, std::string_view unit, double lower,
+                            double upper, std::string_view fallback, std::string_view meaning) {
+  return {section, key, kNumber, unit, lower, upper, true, "", fallback, meaning};
+}
+constexpr ScenarioKey whole(std::string_view section, std::string_view key, double lower, double upper,
+                            std::string_view fallback, std::string_view meaning) {
+  return {section, key, kInteger, "1", lower, upper, false, "", fallback, meaning};
+}
+
+constexpr std::string_view kRobot = "robots.TEAM.NUMBER";
+constexpr std::string_view kTeam = "teams.TEAM";
+constexpr std::string_view kPair = "surfaces.A-B";
+
+// Largest seed: TOML's integers are 64 bits with a sign; double holds the limit as 2^63, which no integer reaches.
+constexpr ScenarioKey kKeys[] = {
+    plainKey("", "simulation", kTable, "", "time steps, seed, clock, threads"),
+    plainKey("", "field", kTable, "", "field of play"),
+    plainKey("", "ball", kTable, "", "the ball"),
+    plainKey("", "surfaces", kTable, "", "how two surfaces touch, a table `[surfaces.A-B]` a pair"),
+    plainKey("", "teams", kTable, "", "`[teams.red]`, `[teams.blue]`"),
+    plainKey("", "robots", kTable, "", "`[robots.all]`, and `[robots.red.1]` for red's robot with the number 1"),
+    plainKey("", "referee", kTable, "", "kick-off, goals, ball out, clock"),
+    plainKey("", "output", kTable, "", "what a run leaves behind"),
+
+    above("simulation", "frame", "s", 0, .02, "0.001", "length of a frame"),
+    above("simulation", "duration", "s", 0, 1e7, "60.0", "simulated time of the run"),
+    whole("simulation", "seed", 0, 9223372036854775808.0, "1", "of all random numbers"),
+    from("simulation", "pace", "1", 0, 100, "0.0",
+         "0: as fast as it goes; p > 0: p simulated seconds a second of the wall clock"),
+    above("simulation", "control_period", "s", 0, 1, "0.01", "between two steps of control software: whole frames"),
+    from("simulation", "control_delay", "s", 0, 1, "0.01", "after which commands act: whole frames"),
+    whole("simulation", "threads", 0, 1024, "0", "0: all"),
+    whole("simulation", "lanes", 0, 8, "0", "robots computed at once: 1, 4 or 8; 0: as it suits the machine"),
+
+    wordKey("field", "preset", "2007 2025_kid", "\"2007\"", "the measures that are not given below"),
+    above("field", "length", "m", 0, 200, "", "from goal line to goal line; default: the preset's"),
+    above("field", "width", "m", 0, 200, "", "from side line to side line; default: the preset's"),
+    above("field", "goal_width", "m", 0, 20, "", "between the posts; default: the preset's"),
+    above("field", "goal_height", "m", 0, 10, "", "height of the bar; default: the preset's"),
+    above("field", "goal_depth", "m", 0, 10, "", "default: the preset's"),
+    above("field", "post_radius", "m", 0, .5, "", "default: the preset's"),
+    above("field", "line_width", "m", 0, .5, "", "default: the preset's"),
+    from("field", "border", "m", 0, 20, "", "turf around the lines; default: the preset's"),
+    from("field", "centre_circle_radius", "m", 0, 50, "", "default: the preset's"),
+    from("field", "goal_area_length", "m", 0, 50, "", "along x, 0: no goal area; default: the preset's"),
+    from("field", "goal_area_width", "m", 0, 100, "", "default: the preset's"),
+    from("field", "penalty_mark_distance", "m", 0, 50, "", "from the goal line; default: the preset's"),
+    from("field", "pole_radius", "m", 0, 1, "", "landmark poles at the halfway line, 0: none; default: the preset's"),
+    from("field", "pole_height", "m", 0, 5, "", "default: the preset's"),
+    from("field", "brightness", "1", .05, 5, "1.0", "factor on all light"),
+    plainKey("field", "carpet", kColour, "[0.09, 0.38, 0.14]", "colour of the turf"),
+    wordKey("field", "goal_at_plus_x", "yellow blue white", "", "colour; default: the preset's"),
+    wordKey("field", "goal_at_minus_x", "yellow blue white", "", "colour; default: the preset's"),
+
+    plainKey("ball", "present", kBool, "true", "whether there is one"),
+    from("ball", "radius", "m", .01, .5, "0.07", ""),
+    from("ball", "mass", "kg", .001, 10, "0.205", ""),
+    from("ball", "inertia_factor", "1", .01, 1, "0.667", "beta in I = beta m r^2: hollow 2/3, solid 2/5"),
+    plainKey("ball", "position", kPosition, "[0.0, 0.0]", "x, y and perhaps z of its lowest point at the start"),
+    plainKey("ball", "colour", kColour, "[1.0, 0.4, 0.05]", ""),
+
+    wordKey(kPair, "law", "smooth paper", "\"smooth\"", "contact law"),
+    above(kPair, "stiffness", "N/m", 0, 1e8, "", "s_c, of the whole contact of two bodies"),
+    from(kPair, "restitution_factor", "1", 0, 1, "",
+         "s_b, share of the stiffness that acts while separating; bounces with sqrt(s_b)"),
+    from(kPair, "viscous_friction", "s/m", 0, 1e4, "0.0", "s_mu, force over normal force and speed"),
+    from(kPair, "friction_coefficient", "1", 0, 10, "0.0", "mu of Coulomb friction, in place of s_mu"),
+    above(kPair, "stick_speed", "m/s", 0, 1, "0.002", "v_s, below which Coulomb friction is viscous"),
+    from(kPair, "turning_friction", "m s", 0, 1e3, "0.0", "s_nu, torque over normal force and angular velocity"),
+    from(kPair, "rolling_resistance", "1", 0, 1, "0.0", "c_rr, torque over normal force and radius"),
+
+    wordKey(kTeam, "attacks", "+x -x", "", "the goal it plays to; default: red +x, blue -x"),
+
+    plainKey(kRobot, "file", kText, "",
+             "robot file, looked for from the scenario's folder, the folder above, the working folder and the "
+             "installed data"),
+    plainKey(kRobot, "pose", kPose, "", "start pose of the pelvis' projection, [x, y, heading] or {x, y, heading}"),
+    plainKey(kRobot, "role", kText, "\"\"", "told to the control software"),
+    wordKey(kRobot, "level", "kinematic", "\"kinematic\"",
+            "level of detail; `full`, `fast` and `oracle` are reserved for later versions"),
+    plainKey(kRobot, "motion", kModule, "", "module; default: the level's"),
+    plainKey(kRobot, "actuation", kModule, "", "module; default: the level's"),
+    plainKey(kRobot, "collision", kModule, "", "module; default: the level's"),
+    plainKey(kRobot, "contact", kModule, "", "module; default: the level's"),
+    plainKey(kRobot, "integration", kModule, "", "module; default: the level's"),
+    plainKey(kRobot, "sensing", kModule, "", "module; default: the level's"),
+    plainKey(kRobot, "modules", kTable, "", "further modules by name, `modules.NAME = {PARAMETER = VALUE}`"),
+    plainKey(kRobot, "cameras", kTable, "", "per camera of the robot file a module, `ray_caster` or `none`"),
+    plainKey(kRobot, "control", kModule, "\"none\"", "control software: `player`, `none` or {program = ...}"),
+    plainKey(kRobot, "properties", kTable, "", "any property by object and name, `\"trunk.mass\" = 1.2`"),
+    plainKey(kRobot, "kickoff_own", kPose, "", "at the own team's kick-off; default: the referee's choice"),
+    plainKey(kRobot, "kickoff_other", kPose, "", "at the other team's kick-off; default: the referee's choice"),
+
+    plainKey("MODULE", "module", kText, "", "name of the module; default: the level's"),
+    from("MODULE", "period", "s", 0, 10, "0.0", "between two updates: whole frames (cameras: rounded); 0: its own"),
+    from("MODULE", "phase", "s", 0, 10, "0.0", "first update after the start"),
+    plainKey("CONTROL", "program", kText, "", "`player` or `none`"),
+    plainKey("POSE", "x", kNumber, "", "m"),
+    plainKey("POSE", "y", kNumber, "", "m"),
+    plainKey("POSE", "heading", kNumber, "0.0", "rad, or {deg = ...}; from +x to +y"),
+
+    plainKey("referee", "enabled", kBool, "true", ""),
+    wordKey("referee", "kickoff_team", "red blue", "\"red\"", "has the first kick-off"),
+    from("referee", "kickoff_wait", "s", 0, 600, "10.0", "after which the other team may play a resting ball"),
+    above("referee", "ball_moved", "m", 0, 2, "0.05", "way of the ball after which it is in play"),
+    from("referee", "pause_after_goal", "s", 0, 600, "2.0", "until the robots are put back for the kick-off"),
+    from("referee", "half_length", "s", 0, 1e7, "0.0", "0: one half, as long as the run"),
+
+    plainKey("output", "directory", kText, "\"out\"", ""),
+    plainKey("output", "record", kText, "\"none\"", "file of the recorder within the directory, or `none`"),
+    plainKey("output", "video", kText, "\"none\"", "file of the video within the directory, or `none`"),
+    plainKey("output", "pictures", kBool, "true", "bird's eye and camera pictures at the end"),
+};
+
+std::string typeName(const ScenarioKey& key) {
+  switch (key.kind) {
+    case kBool:
+      return "true or false";
+    case kInteger:
+      return "whole number";
+    case kNumber:
+      return "number";
+    case kText:
+      return "text";
+    case kWord:
+      return "word";
+    case kPose:
+      return "pose";
+    case kPosition:
+      return "position";
+    case kColour:
+      return "colour";
+    case kModule:
+      return "name or table";
+    case kTable:
+      return "table";
+  }
+  return "";
+}
+
+std::string interval(const ScenarioKey& key) {
+  const std::string unit = key.unit == "1" || key.unit.empty() ? "" : fmt::format(" {}", key.unit);
+  std::string out = fmt::format("{} {:g}", key.above_lower ? "more than" : "at least", key.lower);
+  return out + fmt::format(" and at most {:g}{}", key.upper, unit);
+}
+
+}  // namespace
+
+std::span<const ScenarioKey> scenarioKeys() { return kKeys; }
+
+const ScenarioKey* findScenarioKey(std::string_view section, std::string_view key) {
+  for (const ScenarioKey& k : kKeys)
+    if (k.section == section && k.key == key) return &k;
+  return nullptr;
+}
+
+std::vector<std::string> keysOfSection(std::string_view section) {
+  std::vector<std::string> keys;
+  for (const ScenarioKey& k : kKeys)
+    if (k.section == section) keys.emplace_back(k.key);
+  return keys;
+}
+
+std::vector<std::string> allowedWords(const ScenarioKey& key) {
+  std::vector<std::string> words;
+  for (std::string_view rest = key.words; !rest.empty();) {
+    const std::size_t blank = rest.find(' ');
+    words.emplace_back(rest.substr(0, blank));
+    rest = blank == rest.npos ? std::string_view{} : rest.substr(blank + 1);
+  }
+  return words;
+}
+
+std::string listWords(const std::vector<std::string>& words) {
+  std::string out;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    out += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + ("\"" + words[i] + "\"");
+  return out;
+}
+
+std::string expectation(const ScenarioKey& key) {
+  switch (key.kind) {
+    case kBool:
+      return "true or false";
+    case kInteger:
+      return "a whole number, " + interval(key);
+    case kNumber:
+      return key.upper > key.lower ? "a number, " + interval(key) : "a number";
+    case kText:
+      return "a text in quotes";
+    case kWord:
+      return listWords(allowedWords(key));
+    case kPose:
+      return "[x, y, heading] or {x = ..., y = ..., heading = ...}";
+    case kPosition:
+      return "[x, y] or [x, y, z] in m";
+    case kColour:
+      return "[red, green, blue], each from 0 to 1, or \"#rrggbb\"";
+    case kModule:
+      return "a name in quotes or a table";
+    case kTable:
+      return "a table";
+  }
+  return "";
+}
+
+std::string scenarioKeysAsMarkdown() {
+  std::string out;
+  std::string_view section = "-";
+  for (const ScenarioKey& k : kKeys) {
+    if (k.section != section) {
+      section = k.section;
+      out += fmt::format("\n### {}\n\n| key | type | range | unit | default | meaning |\n|---|---|---|---|---|---|\n",
+                         section.empty() ? "Tables of a scenario" : fmt::format("`[{}]`", section));
+    }
+    const bool ranged = k.upper > k.lower;
+    const std::string range = k.kind == kWord ? fmt::format("{}", listWords(allowedWords(k)))
+                              : !ranged       ? ""
+                                        : fmt::format("{}{:g}, {:g}]", k.above_lower ? "(" : "[", k.lower, k.upper);
+    const std::string fallback = k.fallback.empty() ? "" : fmt::format("`{}`", k.fallback);
+    out += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", k.key, typeName(k), range, k.unit, fallback, k.meaning);
+  }
+  return out;
+}
+
+}  // namespace murosimf
