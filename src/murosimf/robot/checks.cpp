@@ -55,6 +55,7 @@ std::string servoProblem(const ServoParameters& servo) {
 
 std::string nameProblem(const std::string& name) {
   if (name.empty()) return "name is empty";
+  if (name.size() > 100) return "name " + quoted(name) + " is longer than 100 characters";
   const auto allowed = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
   };

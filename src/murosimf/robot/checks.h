@@ -21,7 +21,7 @@ std::string limitsProblem(const JointLimits& limits);
 /// Stall torque, no-load speed and kp positive; kd, armature and resolution not negative; all finite.
 std::string servoProblem(const ServoParameters& servo);
 
-/// A name is a word of letters, digits, `_` and `-`, so that paths and lists of names need no quotes.
+/// A name is a word of at most 100 letters, digits, `_` and `-`, so that paths and lists of names need no quotes.
 std::string nameProblem(const std::string& name);
 
 /// The axis with length 1, or nothing when it is zero or not finite. Components below 1e-9 of the largest are rounding

@@ -118,22 +118,23 @@ void TreeBuilder::claimName(const std::string& name) {
   if (!names_.insert(name).second) refuse("tree: the name " + quoted(name) + " is used twice");
 }
 
-KinematicTree TreeBuilder::build() {
+KinematicTree TreeBuilder::build() const {
   if (tree_.elements.empty()) refuse("tree: it has no base");
-  if (const std::optional<int> joint = masslessJoint(tree_)) {
-    refuse(*joint < 0 ? "tree: the base has no mass"
-                      : "joint " + quoted(tree_.joints[static_cast<std::size_t>(*joint)].name) + ": it moves no mass");
+  for (const int joint : masslessJoints(tree_)) {
+    refuse(joint < 0 ? "tree: the base has no mass"
+                     : "joint " + quoted(tree_.joints[static_cast<std::size_t>(joint)].name) + ": it moves no mass");
   }
   return tree_;
 }
 
-std::optional<int> masslessJoint(const KinematicTree& tree) {
+std::vector<int> masslessJoints(const KinematicTree& tree) {
   std::vector<double> masses(tree.joints.size() + 1, 0.0);
   for (const Body& body : tree.bodies) masses[static_cast<std::size_t>(body.joint + 1)] += body.mass.mass;
+  std::vector<int> massless;
   for (std::size_t row = 0; row < masses.size(); ++row) {
-    if (!(masses[row] > 0)) return static_cast<int>(row) - 1;
+    if (!(masses[row] > 0)) massless.push_back(static_cast<int>(row) - 1);
   }
-  return std::nullopt;
+  return massless;
 }
 
 }  // namespace murosimf

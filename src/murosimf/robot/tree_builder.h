@@ -51,8 +51,10 @@ class TreePlace {
 class TreeBuilder {
  public:
   TreePlace base(std::string name);
-  /// The finished tree. Throws std::invalid_argument when there is no base, or a joint or the base moves no mass.
-  KinematicTree build();
+  /// The finished tree. Throws std::invalid_argument when there is no base, or when a joint or the base moves no mass.
+  KinematicTree build() const;
+  /// What has been built so far; its joints may move no mass yet.
+  const KinematicTree& draft() const { return tree_; }
 
  private:
   friend class TreePlace;
@@ -63,7 +65,7 @@ class TreeBuilder {
   std::set<std::string> names_;
 };
 
-/// The first joint (or -1, the base) whose bodies together have no mass, if there is one: it would have no inertia.
-std::optional<int> masslessJoint(const KinematicTree& tree);
+/// All joints (-1: the base) whose bodies together have no mass, so that they would have no inertia.
+std::vector<int> masslessJoints(const KinematicTree& tree);
 
 }  // namespace murosimf

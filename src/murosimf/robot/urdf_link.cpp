@@ -1,0 +1,200 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "murosimf/robot/checks.h"
+#include "murosimf/robot/urdf_parts.h"
+
+namespace murosimf::urdf {
+namespace {
+
+/// Reads one kind of a geometry's shapes: nothing when something in it is wrong.
+Shape readShape(const XmlElement& shape) {
+  const std::string kind = shape.name();
+  if (kind == "box") {
+    shape.accept({"size"});
+    return makeBox(shape.vector("size"));
+  }
+  if (kind == "sphere") {
+    shape.accept({"radius"});
+    return makeSphere(shape.number("radius"));
+  }
+  if (kind == "cylinder") {
+    shape.accept({"radius", "length"});
+    return makeCylinder(shape.number("radius"), shape.number("length"));
+  }
+  shape.accept({"radii"});
+  return makeEllipsoid(shape.vector("radii"));
+}
+
+std::optional<Shape> readGeometry(const XmlElement& geometry) {
+  if (const std::optional<XmlElement> mesh = geometry.child("mesh")) {
+    mesh->error("meshes are not supported yet; use box, sphere, cylinder");
+    return std::nullopt;
+  }
+  geometry.accept({}, {"box", "sphere", "cylinder", "ellipsoid", "mesh"});
+  std::vector<XmlElement> shapes;
+  for (const char* kind : {"box", "sphere", "cylinder", "ellipsoid"}) {
+    for (const XmlElement& shape : geometry.children(kind)) shapes.push_back(shape);
+  }
+  if (shapes.size() != 1) {
+    geometry.error(fmt::format("holds {} shapes, expected one of box, sphere, cylinder, ellipsoid", shapes.size()));
+    return std::nullopt;
+  }
+  return readShape(shapes[0]);
+}
+
+Pose readOrigin(const XmlElement& owner) {
+  const std::optional<XmlElement> origin = owner.child("origin");
+  if (!origin) return {};
+  origin->accept({"xyz", "rpy"});
+  return origin->pose();
+}
+
+MassProperties readInertial(const XmlElement& inertial) {
+  const Diagnostics& diagnostics = inertial.diagnostics();
+  const int before = diagnostics.errorCount();
+  inertial.accept({}, {"origin", "mass", "inertia"});
+  const Pose X_BC = readOrigin(inertial);
+  MassProperties seen_from_c;
+  if (const std::optional<XmlElement> mass = inertial.requiredChild("mass")) {
+    mass->accept({"value"});
+    seen_from_c.mass = mass->number("value");
+  }
+  std::optional<XmlElement> inertia = inertial.requiredChild("inertia");
+  if (inertia) {
+    inertia->accept({"ixx", "iyy", "izz", "ixy", "ixz", "iyz"});
+    seen_from_c.I_C_B = {inertia->number("ixx"),    inertia->number("iyy"),    inertia->number("izz"),
+                         inertia->number("ixy", 0), inertia->number("ixz", 0), inertia->number("iyz", 0)};
+  }
+  if (diagnostics.errorCount() != before) return {};
+  const std::string problem = massProblem(seen_from_c);
+  if (problem.starts_with("mass"))
+    inertial.child("mass")->error(problem);
+  else
+    inertia->check(problem);
+  return moved(X_BC, seen_from_c);
+}
+
+void readColour(const XmlElement& visual, const RobotPart& robot, BodyShape& shape) {
+  if (const std::optional<XmlElement> material = visual.child("material")) {
+    material->accept({"name"}, {"color", "texture"});
+    const std::string name = material->text("name");
+    const auto found = robot.materials.find(name);
+    if (found != robot.materials.end()) {
+      shape.colour = found->second;
+    } else if (material->children("color").empty() && material->children("texture").empty() && !name.empty()) {
+      material->errorAt("name", "is " + quoted(name) + ", which no material has" + nearestKey(name, robot.materials));
+    }
+  }
+  if (const std::optional<XmlElement> extension = visual.child("murosimf")) {
+    extension->accept({"colour"});
+    const std::string colour = extension->text("colour");
+    if (colour != "team") extension->errorAt("colour", "is " + quoted(colour) + ", expected \"team\"");
+    shape.team_colour = true;
+  }
+}
+
+/// What <visual> and <collision> have in common.
+std::optional<BodyShape> readPlacedShape(const XmlElement& element) {
+  const int before = element.diagnostics().errorCount();
+  BodyShape out;
+  out.where = element.where();
+  out.X_BS = readOrigin(element);
+  const std::optional<XmlElement> geometry = element.requiredChild("geometry");
+  const std::optional<Shape> shape = geometry ? readGeometry(*geometry) : std::nullopt;
+  if (!shape || element.diagnostics().errorCount() != before) return std::nullopt;
+  out.shape = *shape;
+  geometry->check(shapeProblem(out));
+  return out;
+}
+
+void readVisuals(const XmlElement& link, const RobotPart& robot, Body& body) {
+  for (const XmlElement& visual : link.children("visual")) {
+    visual.accept({"name"}, {"origin", "geometry", "material", "murosimf"});
+    std::optional<BodyShape> shape = readPlacedShape(visual);
+    if (!shape) continue;
+    shape->collides = false;
+    readColour(visual, robot, *shape);
+    body.shapes.push_back(*shape);
+  }
+}
+
+/// A collision shape that equals a drawn one in form and place is the same shape, drawn and touching.
+void readCollisions(const XmlElement& link, const std::string& surface_of_link, Body& body) {
+  for (const XmlElement& collision : link.children("collision")) {
+    collision.accept({"name"}, {"origin", "geometry", "murosimf"});
+    std::optional<BodyShape> shape = readPlacedShape(collision);
+    std::string surface = surface_of_link;
+    if (const std::optional<XmlElement> extension = collision.child("murosimf")) {
+      extension->accept({"surface"});
+      surface = extension->text("surface");
+    }
+    if (!shape) continue;
+    const auto same = std::find_if(body.shapes.begin(), body.shapes.end(), [&](const BodyShape& drawn) {
+      return !drawn.collides && drawn.shape.kind == shape->shape.kind &&
+             drawn.shape.half_size == shape->shape.half_size && drawn.X_BS == shape->X_BS;
+    });
+    shape->drawn = false;
+    BodyShape& kept = same != body.shapes.end() ? *same : body.shapes.emplace_back(*shape);
+    kept.collides = true;
+    kept.surface = surface;
+  }
+}
+
+}  // namespace
+
+void readMaterials(const XmlElement& robot_element, RobotPart& robot) {
+  const auto define = [&robot](const XmlElement& material) {
+    const std::optional<XmlElement> color = material.child("color");
+    if (!color || !material.has("name")) return;
+    color->accept({"rgba"});
+    const int before = color->diagnostics().errorCount();
+    const std::vector<double> rgba = color->numbers("rgba", 4);
+    const bool in_range = std::all_of(rgba.begin(), rgba.end(), [](double c) { return c >= 0 && c <= 1; });
+    if (!in_range && color->diagnostics().errorCount() == before) color->errorAt("rgba", "leaves the range 0 to 1");
+    if (!in_range) return;
+    robot.materials[material.text("name")] = {static_cast<float>(rgba[0]), static_cast<float>(rgba[1]),
+                                              static_cast<float>(rgba[2])};
+  };
+  for (const XmlElement& material : robot_element.children("material")) {
+    material.accept({"name"}, {"color", "texture"});
+    material.text("name");
+    define(material);
+  }
+  for (const XmlElement& link : robot_element.children("link")) {
+    for (const XmlElement& visual : link.children("visual")) {
+      for (const XmlElement& material : visual.children("material")) define(material);
+    }
+  }
+}
+
+void readLink(const XmlElement& element, RobotPart& robot) {
+  element.accept({"name"}, {"inertial", "visual", "collision", "murosimf"});
+  LinkPart link;
+  link.body.name = readName(element);
+  link.body.where = element.where();
+  if (const std::optional<XmlElement> inertial = element.child("inertial")) link.body.mass = readInertial(*inertial);
+
+  const std::optional<XmlElement> extension = element.child("murosimf");
+  const std::string surface = extension ? extension->text("surface", robot.surface) : robot.surface;
+  const bool collides = !extension || extension->truth("collides", true);
+  readVisuals(element, robot, link.body);
+  readCollisions(element, surface, link.body);
+  const bool has_collision = !element.children("collision").empty();
+  if (collides && !has_collision && !link.body.shapes.empty()) {
+    element.warning(
+        quoted(link.body.name) +
+        " is drawn but has no <collision>: it touches nothing; say <murosimf collides=\"false\"/> if that is "
+        "meant");
+  }
+  if (!collides && has_collision) element.error("has a <collision>, and collides=\"false\"");
+  if (extension) {
+    extension->accept({"surface", "collides"}, {"sole", "camera", "imu", "pressure_sensor", "property"});
+    readMounts(*extension, link, robot);
+    readProperties(*extension, link.body.name, robot);
+  }
+  if (!link.body.name.empty()) robot.links.push_back(std::move(link));
+}
+
+}  // namespace murosimf::urdf

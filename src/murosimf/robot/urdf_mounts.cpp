@@ -1,0 +1,206 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "murosimf/robot/checks.h"
+#include "murosimf/robot/urdf_parts.h"
+
+namespace murosimf::urdf {
+namespace {
+
+void requirePositive(const XmlElement& element, const char* attribute, double value) {
+  if (!(value > 0)) element.errorAt(attribute, fmt::format("is {:g}, expected more than 0", value));
+}
+
+Sole readSole(const XmlElement& element, RobotPart& robot) {
+  element.accept({"name", "side", "xyz", "rpy", "size"}, {"property"});
+  Sole sole;
+  sole.name = readName(element);
+  sole.where = element.where();
+  sole.X_BSole = element.pose();
+  const std::string side = element.text("side");
+  if (side != "left" && side != "right" && !side.empty()) {
+    element.errorAt("side", "is " + quoted(side) + ", expected left or right");
+  }
+  sole.side = side == "left" ? Side::kLeft : Side::kRight;
+  const int before = element.diagnostics().errorCount();
+  const std::vector<double> size = element.numbers("size", 2);
+  sole.length = size[0], sole.width = size[1];
+  if (element.diagnostics().errorCount() == before && (size[0] <= 0 || size[1] <= 0)) {
+    element.errorAt("size", "is not positive, expected length and width of the sole [m]");
+  }
+  readProperties(element, sole.name, robot);
+  return sole;
+}
+
+/// Focal lengths from fx (and fy), or from the horizontal angle of view of a lens without distortion.
+void readFocalLength(const XmlElement& element, CameraMount& camera) {
+  const int before = element.diagnostics().errorCount();
+  if (element.has("hfov") == element.has("fx")) {
+    return element.error("expected either \"hfov\" [rad] or \"fx\" [pixels]");
+  }
+  if (element.has("hfov")) {
+    const double angle = element.number("hfov");
+    if (element.diagnostics().errorCount() != before) return;
+    if (!(angle > 0 && angle < kPi)) return element.errorAt("hfov", "is not between 0 and pi rad");
+    camera.fx = camera.width / (2 * tan(angle / 2));
+  } else {
+    camera.fx = element.number("fx");
+    if (element.diagnostics().errorCount() == before) requirePositive(element, "fx", camera.fx);
+  }
+  camera.fy = element.number("fy", camera.fx);
+  if (element.has("fy") && element.diagnostics().errorCount() == before) requirePositive(element, "fy", camera.fy);
+}
+
+void readTiming(const XmlElement& element, CameraMount& camera) {
+  const int before = element.diagnostics().errorCount();
+  camera.period = element.number("period");
+  camera.phase = element.number("phase", 0);
+  if (element.diagnostics().errorCount() != before) return;
+  requirePositive(element, "period", camera.period);
+  if (camera.phase < 0) element.errorAt("phase", "is negative, expected the time of the first picture [s]");
+}
+
+CameraPart readCamera(const XmlElement& element, RobotPart& robot) {
+  constexpr int kLargestPicture = 8192;
+  element.accept({"name", "xyz", "rpy", "width", "height", "hfov", "fx", "fy", "cx", "cy", "skew", "kc", "period",
+                  "phase", "hides"},
+                 {"property"});
+  CameraPart part;
+  CameraMount& camera = part.mount;
+  camera.name = readName(element);
+  camera.where = element.where();
+  const Pose X_BMount = element.pose();
+  camera.X_BC = {X_BMount.rotation * kR_MountCamera, X_BMount.translation};
+  camera.width = element.integer("width", 1, kLargestPicture);
+  camera.height = element.integer("height", 1, kLargestPicture);
+  readFocalLength(element, camera);
+  camera.cx = element.number("cx", 0.5 * (camera.width - 1));
+  camera.cy = element.number("cy", 0.5 * (camera.height - 1));
+  camera.skew = element.number("skew", 0);
+  if (element.has("kc")) {
+    const std::vector<double> kc = element.numbers("kc", camera.kc.size());
+    std::copy(kc.begin(), kc.end(), camera.kc.begin());
+  }
+  readTiming(element, camera);
+  for (const std::string& name : splitWords(element.has("hides") ? element.text("hides") : "")) {
+    part.hides.push_back({name, element.where("hides")});
+  }
+  readProperties(element, camera.name, robot);
+  return part;
+}
+
+ImuMount readImu(const XmlElement& element, RobotPart& robot) {
+  element.accept({"name", "xyz", "rpy"}, {"property"});
+  ImuMount imu{.name = readName(element), .X_BI = element.pose(), .where = element.where()};
+  readProperties(element, imu.name, robot);
+  return imu;
+}
+
+/// Points given as numbers, or the corners of a sole of the same link.
+PressureSensorMount readPressureSensor(const XmlElement& element, const LinkPart& link, RobotPart& robot) {
+  element.accept({"name", "sole", "points"}, {"property"});
+  PressureSensorMount sensor{.name = readName(element), .where = element.where()};
+  readProperties(element, sensor.name, robot);
+  if (element.has("sole") == element.has("points")) {
+    element.error("expected either \"sole\" (a sole of this link) or \"points\" (x y z of each)");
+    return sensor;
+  }
+  if (element.has("sole")) {
+    const std::string wanted = element.text("sole");
+    std::vector<std::string> names;
+    for (const Sole& sole : link.soles) {
+      names.push_back(sole.name);
+      const std::array<Vector3, 4> corners = sole.corners();
+      if (sole.name == wanted) sensor.points.assign(corners.begin(), corners.end());
+    }
+    if (sensor.points.empty()) {
+      element.errorAt("sole", "is " + quoted(wanted) + ", which is no sole of this link" + nearestName(wanted, names));
+    }
+    return sensor;
+  }
+  const std::vector<double> numbers = element.numbers("points");
+  if (numbers.size() % 3 != 0) element.errorAt("points", "expected three numbers a point");
+  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) {
+    sensor.points.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
+  }
+  return sensor;
+}
+
+void readServoType(const XmlElement& element, RobotPart& robot) {
+  const int before = element.diagnostics().errorCount();
+  element.accept({"name", "stall_torque", "no_load_speed", "kp", "kd", "armature", "resolution"});
+  ServoParameters servo{.type = element.text("name"),
+                        .stall_torque = element.number("stall_torque"),
+                        .no_load_speed = element.number("no_load_speed"),
+                        .kp = element.number("kp"),
+                        .kd = element.number("kd"),
+                        .armature = element.number("armature", 0),
+                        .resolution = element.number("resolution", 0)};
+  if (element.diagnostics().errorCount() == before) element.check(servoProblem(servo));
+  if (!servo.type.empty() && !robot.servo_types.emplace(servo.type, servo).second) {
+    element.error("servo type " + quoted(servo.type) + " is defined twice");
+  }
+}
+
+}  // namespace
+
+std::string readName(const XmlElement& element) {
+  const int before = element.diagnostics().errorCount();
+  std::string name = element.text("name");
+  if (element.diagnostics().errorCount() != before) return "";
+  const std::string problem = nameProblem(name);
+  element.check(problem);
+  return problem.empty() ? name : "";
+}
+
+std::string nearestName(const std::string& word, std::vector<std::string> candidates) {
+  if (candidates.size() > 300) candidates.resize(300);
+  return didYouMean(std::string_view(word).substr(0, 100), candidates);
+}
+
+Reference readReference(const XmlElement& element, const char* attribute) {
+  return {element.text(attribute), element.where(attribute)};
+}
+
+void readProperties(const XmlElement& owner, const std::string& object, RobotPart& robot) {
+  const bool of_robot = object.empty();
+  for (const XmlElement& element : owner.children("property")) {
+    std::vector<std::string> attributes{"name", "value"};
+    if (of_robot) attributes.push_back("object");
+    element.accept(attributes);
+    PropertyKey key{of_robot ? element.text("object", "") : object, readName(element)};
+    PropertyText text{.text = element.text("value"), .where = element.where()};
+    const std::vector<std::string> words = splitWords(text.text);
+    for (const std::string& word : words) {
+      if (const std::optional<double> number = parseNumber(word)) text.numbers.push_back(*number);
+    }
+    if (text.numbers.size() != words.size()) text.numbers.clear();
+    robot.properties.emplace_back(std::move(key), std::move(text));
+  }
+}
+
+void readMounts(const XmlElement& extension, LinkPart& link, RobotPart& robot) {
+  for (const XmlElement& sole : extension.children("sole")) link.soles.push_back(readSole(sole, robot));
+  for (const XmlElement& camera : extension.children("camera")) link.cameras.push_back(readCamera(camera, robot));
+  for (const XmlElement& imu : extension.children("imu")) link.imus.push_back(readImu(imu, robot));
+  for (const XmlElement& sensor : extension.children("pressure_sensor")) {
+    link.pressure_sensors.push_back(readPressureSensor(sensor, link, robot));
+  }
+}
+
+void readRobotExtension(const XmlElement& extension, RobotPart& robot) {
+  extension.accept({"surface", "ignore_contacts_within"}, {"servo_type", "ignore_contact", "property"});
+  robot.surface = extension.text("surface", robot.surface);
+  if (extension.has("ignore_contacts_within")) {
+    robot.ignore_within = extension.integer("ignore_contacts_within", 1, 100);
+  }
+  for (const XmlElement& servo : extension.children("servo_type")) readServoType(servo, robot);
+  for (const XmlElement& pair : extension.children("ignore_contact")) {
+    pair.accept({"first", "second"});
+    robot.ignored_pairs.emplace_back(readReference(pair, "first"), readReference(pair, "second"));
+  }
+  readProperties(extension, "", robot);
+}
+
+}  // namespace murosimf::urdf

@@ -1,0 +1,92 @@
+#pragma once
+
+/// @file What stands in a URDF file, element by element, before links and joints are put together to a tree.
+///
+/// Names are references still; they are resolved by assembleRobot(). Readers of single elements report their mistakes
+/// and return what could be read.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "murosimf/robot/robot_model.h"
+#include "murosimf/robot/xml_element.h"
+
+namespace murosimf::urdf {
+
+/// A name that must belong to something else in the file.
+struct Reference {
+  std::string name{};
+  SourceLocation where{};
+};
+
+struct CameraPart {
+  CameraMount mount{};
+  std::vector<Reference> hides{};
+};
+
+/// Mounts have no body index yet: they belong to the link that they stand in.
+struct LinkPart {
+  Body body{};
+  std::vector<Sole> soles{};
+  std::vector<CameraPart> cameras{};
+  std::vector<ImuMount> imus{};
+  std::vector<PressureSensorMount> pressure_sensors{};
+};
+
+struct JointPart {
+  Joint joint{};
+  bool fixed = false;
+  Pose X_PJ{};  ///< the joint's frame on the parent link, at position 0
+  Reference parent{}, child{};
+  std::optional<double> sensor_resolution{};
+};
+
+using PropertyPart = std::pair<PropertyKey, PropertyText>;
+
+struct RobotPart {
+  std::string name{};
+  SourceLocation where{};
+  std::string surface = "default";  ///< of shapes that name none
+  int ignore_within = 1;            ///< joints between bodies that never touch
+  std::map<std::string, Colour> materials{};
+  std::map<std::string, ServoParameters> servo_types{};
+  std::vector<LinkPart> links{};
+  std::vector<JointPart> joints{};
+  std::vector<std::pair<Reference, Reference>> ignored_pairs{};
+  std::vector<PropertyPart> properties{};
+};
+
+/// A required name attribute that keeps to the rules of names.
+std::string readName(const XmlElement& element);
+/// The attribute's text as a reference.
+Reference readReference(const XmlElement& element, const char* attribute);
+/// didYouMean for words that may be any bytes of a file: looks at what a name can have, among the first 300 candidates.
+std::string nearestName(const std::string& word, std::vector<std::string> candidates);
+template <class Value>
+std::string nearestKey(const std::string& word, const std::map<std::string, Value>& map) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : map) {
+    if (keys.size() < 300) keys.push_back(key);
+  }
+  return nearestName(word, std::move(keys));
+}
+
+/// <material> definitions with a colour, at the top and within visuals.
+void readMaterials(const XmlElement& robot_element, RobotPart& robot);
+/// <murosimf> of the robot: servo types, surface, ignored contacts, properties.
+void readRobotExtension(const XmlElement& extension, RobotPart& robot);
+void readLink(const XmlElement& element, RobotPart& robot);
+void readJoint(const XmlElement& element, RobotPart& robot);
+/// Soles, cameras and sensors of a link's <murosimf>.
+void readMounts(const XmlElement& extension, LinkPart& link, RobotPart& robot);
+/// All <property> children, for this object ("" the robot).
+void readProperties(const XmlElement& owner, const std::string& object, RobotPart& robot);
+
+/// Puts the parts together: unique names, one root, no cycle, everything named exists, every joint moves mass. Returns
+/// nothing when it reported an error, or when the parts are not whole: then it only looks at names and connections.
+std::optional<RobotModel> assembleRobot(const RobotPart& robot, Diagnostics& diagnostics, bool parts_are_whole);
+
+}  // namespace murosimf::urdf
