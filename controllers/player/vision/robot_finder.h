@@ -1,0 +1,16 @@
+#pragma once
+
+/// @file Finds other robots: team marks, and below them the foot point where the carpet begins.
+///
+/// From every region of magenta or cyan the grid's columns are followed down over whatever is not carpet; the lowest
+/// place reached is the foot. The mark must then hang at a height that robots have.
+
+#include "player/percepts.h"
+#include "player/vision/colour_grid.h"
+
+namespace murosimf::controllers {
+
+/// Adds the robots of one picture; several marks of one robot give one percept.
+void findRobots(const PictureView& view, const ColourGrid& grid, Percepts& out);
+
+}  // namespace murosimf::controllers
