@@ -8,7 +8,7 @@
 namespace murosimf::urdf {
 namespace {
 
-/// Reads one kind of a geometry's shapes: nothing when something in it is wrong.
+/// Reads the one shape of a geometry.
 Shape readShape(const XmlElement& shape) {
   const std::string kind = shape.name();
   if (kind == "box") {
@@ -97,10 +97,10 @@ void readColour(const XmlElement& visual, const RobotPart& robot, BodyShape& sha
 
 /// What <visual> and <collision> have in common.
 std::optional<BodyShape> readPlacedShape(const XmlElement& element) {
-  const int before = element.diagnostics().errorCount();
   BodyShape out;
   out.where = element.where();
   out.X_BS = readOrigin(element);
+  const int before = element.diagnostics().errorCount();
   const std::optional<XmlElement> geometry = element.requiredChild("geometry");
   const std::optional<Shape> shape = geometry ? readGeometry(*geometry) : std::nullopt;
   if (!shape || element.diagnostics().errorCount() != before) return std::nullopt;
@@ -113,10 +113,11 @@ void readVisuals(const XmlElement& link, const RobotPart& robot, Body& body) {
   for (const XmlElement& visual : link.children("visual")) {
     visual.accept({"name"}, {"origin", "geometry", "material", "murosimf"});
     std::optional<BodyShape> shape = readPlacedShape(visual);
-    if (!shape) continue;
-    shape->collides = false;
-    readColour(visual, robot, *shape);
-    body.shapes.push_back(*shape);
+    BodyShape unknown;  // so that the colour's mistakes are found even where the shape is wrong
+    BodyShape& target = shape ? *shape : unknown;
+    readColour(visual, robot, target);
+    target.collides = false;
+    if (shape) body.shapes.push_back(*shape);
   }
 }
 

@@ -106,14 +106,16 @@ class Connector {
 
   void reportCycle(int start) {
     std::string names;
+    const Joint* first = nullptr;
     int link = start, count = 0;
     do {
       const Joint& joint = robot_.joints[at(graph_.joint_above[at(link)])].joint;
       if (++count <= 8) names = quoted(joint.name) + (names.empty() ? "" : ", ") + names;
+      if (first == nullptr || joint.where.line < first->where.line) first = &joint;
       link = parentOf(link);
     } while (link != start);
-    const Joint& first = robot_.joints[at(graph_.joint_above[at(start)])].joint;
-    diagnostics_.error(first.where, "joints form a cycle: " + names + (count > 8 ? ", ..." : "") + "; expected a tree");
+    diagnostics_.error(first->where,
+                       "joints form a cycle: " + names + (count > 8 ? ", ..." : "") + "; expected a tree");
   }
 
   int parentOf(int link) const {

@@ -120,7 +120,9 @@ PressureSensorMount readPressureSensor(const XmlElement& element, const LinkPart
     return sensor;
   }
   const std::vector<double> numbers = element.numbers("points");
-  if (numbers.size() % 3 != 0) element.errorAt("points", "expected three numbers a point");
+  if (numbers.size() % 3 != 0) {
+    element.errorAt("points", fmt::format("has {} numbers, expected three for each point", numbers.size()));
+  }
   for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) {
     sensor.points.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
   }

@@ -22,6 +22,8 @@ std::string xmlFault(const tinyxml2::XMLDocument& document) {
       return "elements are nested too deeply, expected at most 100 levels";
     case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
       return "not XML: a closing tag does not fit the tag that is open";
+    case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
+      return "not XML: an attribute of the element that begins here has no value in quotes, or is given twice";
     case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
       return "file is empty, expected <robot>";
     default: {

@@ -12,6 +12,7 @@
 namespace murosimf {
 namespace {
 
+constexpr double kLargestNumber = 1e9;
 constexpr const char* kSpace = " \t\r\n";
 
 /// didYouMean on what may be any bytes of a file: only as much of the word as a name can have.
@@ -24,6 +25,14 @@ std::string numberHint(const std::string& text) {
   if (text.find("${") != std::string::npos) return " (xacro expressions are not evaluated: expand the file first)";
   if (text.find("deg") != std::string::npos) return " (angles are in rad)";
   if (text.find(',') != std::string::npos) return " (numbers stand apart by spaces and have a decimal point)";
+  for (const std::string& word : splitWords(text)) {
+    double x = 0;
+    const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), x);
+    const bool whole = end == word.data() + word.size();
+    if (whole && (fault == std::errc::result_out_of_range || !(std::fabs(x) <= kLargestNumber))) {
+      return " (numbers are finite and reach to 1e9)";
+    }
+  }
   return "";
 }
 
@@ -43,18 +52,11 @@ SourceLocation XmlElement::where(const char* attribute) const {
 }
 
 void XmlElement::acceptAttributes(const std::vector<std::string>& known) const {
-  std::vector<std::string> seen;
   for (const auto* a = element_->FirstAttribute(); a != nullptr; a = a->Next()) {
     const std::string attribute = a->Name();
-    if (attribute.starts_with("xmlns")) continue;
-    const SourceLocation line{*file_, a->GetLineNum(), 0};
-    if (std::find(known.begin(), known.end(), attribute) == known.end()) {
-      diagnostics_->error(line, "<" + name() + ">: unknown attribute " + quoted(attribute) + nearest(attribute, known));
-    } else if (std::find(seen.begin(), seen.end(), attribute) != seen.end()) {
-      diagnostics_->error(line, "<" + name() + ">: attribute " + quoted(attribute) + " is given twice");
-    } else {
-      seen.push_back(attribute);
-    }
+    if (attribute.starts_with("xmlns") || std::find(known.begin(), known.end(), attribute) != known.end()) continue;
+    diagnostics_->error({*file_, a->GetLineNum(), 0},
+                        "<" + name() + ">: unknown attribute " + quoted(attribute) + nearest(attribute, known));
   }
 }
 
@@ -195,11 +197,11 @@ std::vector<std::string> splitWords(std::string_view text) {
 }
 
 std::optional<double> parseNumber(std::string_view word) {
-  constexpr double kLargest = 1e9;
   if (word.starts_with('+')) word.remove_prefix(1);
   double x = 0;
   const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), x);
-  if (fault != std::errc{} || end != word.data() + word.size() || !(std::fabs(x) <= kLargest)) return std::nullopt;
+  if (fault != std::errc{} || end != word.data() + word.size() || !(std::fabs(x) <= kLargestNumber))
+    return std::nullopt;
   return x;
 }
 

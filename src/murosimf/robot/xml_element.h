@@ -31,8 +31,8 @@ class XmlElement {
   SourceLocation where(const char* attribute) const;
   Diagnostics& diagnostics() const { return *diagnostics_; }
 
-  /// Reports attributes and child elements that are not listed (with the nearest that is), attributes given twice, and
-  /// text between the tags. Call it once for each element.
+  /// Reports attributes and child elements that are not listed (with the nearest that is), and text between the tags.
+  /// Call it once for each element.
   void accept(const std::vector<std::string>& attributes, const std::vector<std::string>& children = {}) const;
 
   bool has(const char* attribute) const;

@@ -1,0 +1,184 @@
+/// @file Files that people get wrong: each mistake is told with its line, all at once, and nothing crashes.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "murosimf/robot/urdf_reader.h"
+
+namespace murosimf {
+namespace {
+
+struct Expected {
+  int line;
+  const char* words;
+};
+struct BrokenFile {
+  const char* name;
+  std::vector<Expected> errors;  ///< all of them
+};
+
+const std::vector<BrokenFile>& brokenFiles() {
+  static const std::vector<BrokenFile> files{
+      {"unknown_names",
+       {{3, "unknown element <inertail> in <link> (did you mean \"inertial\"?)"},
+        {6, "unknown element <colision> in <link> (did you mean \"collision\"?)"},
+        {7, "<sphere>: unknown attribute \"raduis\" (did you mean \"radius\"?)"},
+        {7, "<sphere>: attribute \"radius\" is missing"},
+        {7, "\"gray\", which no material has (did you mean \"grey\"?)"},
+        {10, "xacro is not evaluated"},
+        {11, "unknown element <lnik> in <robot> (did you mean \"link\"?)"}}},
+      {"bad_inertia",
+       {{3, "mass is 0 kg, expected more than 0"},
+        {8, "-0.001, 0.001, 0.003 kg m^2, expected all to be positive"},
+        {14, "0.001, 0.001, 0.003 kg m^2, expected the two smaller ones to add up to at least the largest"},
+        {18, "attribute \"value\" is \"nan\", expected a number"},
+        {20, "element <inertia> is missing"}}},
+      {"bad_numbers",
+       {{4, "\"0 0\", expected 3 numbers"},
+        {5, "\"1.5.2\", expected a number"},
+        {6, "attribute \"iyy\" is \"inf\", expected a number (numbers are finite"},
+        {6, "attribute \"izz\" is empty"},
+        {9, "(numbers stand apart by spaces"},
+        {9, "(angles are in rad)"},
+        {10, "attribute \"size\" is \"0.1 0.1\", expected 3 numbers"},
+        {13, "(xacro expressions are not evaluated"},
+        {14, "attribute \"radius\" is \"1e400\", expected a number (numbers are finite and reach to 1e9)"},
+        {14, "attribute \"length\" is missing"},
+        {17, "attribute \"rpy\" has the angle 180, expected rad"},
+        {18, "half sizes -0.1, -0.1, -0.1 m, expected all to be positive"}}},
+      {"bad_joints",
+       {{9, "is the zero vector, expected a direction"},
+        {10, "lower limit 2 is above upper limit -2"},
+        {12, "\"revolut\", expected revolute, continuous, prismatic or fixed (did you mean \"revolute\"?)"},
+        {15, "element <limit> is missing"},
+        {17, "joints that follow others are not supported"},
+        {18, "attribute \"damping\" is -1"},
+        {19, "\"MX-28\", which no <servo_type> has"},
+        {21, "attribute \"name\" is missing"},
+        {21, "element <child> is missing"}}},
+      {"cycle", {{6, "joints form a cycle: \"a_to_b\", \"b_to_c\", \"c_to_a\""}}},
+      {"only_a_cycle", {{3, "joints form a cycle: \"to_itself\""}}},
+      {"disconnected",
+       {{2, "link \"left_over\" is not connected"},
+        {8, "link \"hand\" is the child of joint \"second_wrist\" and of joint \"wrist\" in line 7"}}},
+      {"unknown_links",
+       {{5, "link \"trnk\" does not exist (did you mean \"trunk\"?)"}, {10, "link \"forearm\" does not exist"}}},
+      {"duplicate_names",
+       {{3, "<mass>: stands twice in <inertial>, first in line 3"},
+        {4, "imu \"trunk\": the name is used in line 2 already"},
+        {7, "link \"arm\": the name is used in line 6 already"},
+        {9, "joint \"shoulder\": the name is used in line 8 already"},
+        {9, "link \"arm\" is the child of joint \"shoulder\""},
+        {7, "link \"arm\" is not connected"},
+        {10, "name \"my shoulder\" holds something else than letters, digits, _ and -"}}},
+      {"attribute_twice", {{4, "or is given twice"}}},
+      {"mesh", {{6, "meshes are not supported yet; use box, sphere, cylinder"}, {10, "holds 2 shapes"}}},
+      {"massless", {{2, "link \"world\" has no mass"}, {4, "joint \"rail\" moves no mass"}}},
+      {"bad_mounts",
+       {{3, "stall_torque is 0 N m, expected more than 0"},
+        {10, "\"middle\", expected left or right"},
+        {10, "attribute \"size\" is not positive"},
+        {11, "attribute \"height\" is 0, expected a whole number from 1 to 8192"},
+        {11, "attribute \"hfov\" is not between 0 and pi rad"},
+        {11, "attribute \"period\" is 0, expected more than 0"},
+        {12, "expected either \"hfov\" [rad] or \"fx\" [pixels]"},
+        {12, "\"1 2 3\", expected 5 numbers"},
+        {13, "attribute \"width\" is 640.5, expected a whole number"},
+        {14, "\"soul\", which is no sole of this link (did you mean \"sole\"?)"},
+        {15, "has 4 numbers, expected three for each point"},
+        {16, "attribute \"value\" is missing"}}},
+      {"unknown_objects",
+       {{3, "link \"trnk\" does not exist (did you mean \"trunk\"?)"},
+        {4, "object \"truck\" does not exist in this robot (did you mean \"trunk\"?)"},
+        {6, "property \"friction\" is set in line 5 already"},
+        {11, "link \"skull\" does not exist"}}},
+      {"not_a_robot", {{2, "found the element \"mujoco\", expected <robot>"}}},
+      {"mismatched_tags", {{3, "a closing tag does not fit"}}},
+      {"truncated", {{132, "not XML"}}},
+      {"empty", {{0, "file is empty, expected <robot>"}}},
+      {"garbage_bytes", {{1, "not XML"}}},
+      {"zero_byte", {{3, "not a text file: it holds a zero byte"}}},
+  };
+  return files;
+}
+
+std::string broken(const std::string& name) {
+  return std::string(MUROSIMF_SOURCE_DIR "/tests/data/broken/robot_") + name + ".urdf";
+}
+
+bool tells(const Diagnostics& diagnostics, const Expected& expected) {
+  const auto& all = diagnostics.all();
+  return std::any_of(all.begin(), all.end(), [&](const Diagnostic& d) {
+    return d.severity == Diagnostic::Severity::kError && d.where.line == expected.line &&
+           d.message.find(expected.words) != std::string::npos;
+  });
+}
+
+TEST(BrokenRobots, GetEveryMistakeWithItsLineAtOnce) {
+  for (const BrokenFile& file : brokenFiles()) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(readUrdf(broken(file.name), diagnostics).has_value()) << file.name;
+    for (const Expected& expected : file.errors) {
+      EXPECT_TRUE(tells(diagnostics, expected)) << file.name << ":" << expected.line << " " << expected.words << "\n"
+                                                << diagnostics.text();
+    }
+    EXPECT_EQ(diagnostics.errorCount(), static_cast<int>(file.errors.size())) << diagnostics.text();
+    for (const Diagnostic& d : diagnostics.all()) EXPECT_EQ(d.where.file, broken(file.name));
+  }
+}
+
+TEST(BrokenRobots, AreAllInTheList) {
+  for (const auto& entry : std::filesystem::directory_iterator(MUROSIMF_SOURCE_DIR "/tests/data/broken")) {
+    const std::string stem = entry.path().stem().string();
+    if (!stem.starts_with("robot_")) continue;
+    const auto& files = brokenFiles();
+    EXPECT_TRUE(std::any_of(files.begin(), files.end(), [&](const BrokenFile& f) { return stem.substr(6) == f.name; }))
+        << stem;
+  }
+}
+
+TEST(BrokenRobots, OneHundredThousandNestedElementsAreRefused) {
+  std::string text = "<robot name=\"deep\">\n";
+  for (int i = 0; i < 100000; ++i) text += "<link>\n";
+  Diagnostics diagnostics;
+  EXPECT_FALSE(readUrdfText(text, "deep.urdf", diagnostics).has_value());
+  ASSERT_EQ(diagnostics.errorCount(), 1);
+  EXPECT_NE(diagnostics.text().find("nested too deeply"), std::string::npos) << diagnostics.text();
+  EXPECT_GT(diagnostics.all()[0].where.line, 90);
+}
+
+TEST(BrokenRobots, ChainOfTooManyLinksIsRefusedAndAThousandAreRead) {
+  const auto chain = [](int count) {
+    const std::string inertial = "<inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1'/></inertial>";
+    std::string text = "<robot name='chain'><link name='l0'>" + inertial + "</link>\n";
+    for (int i = 1; i < count; ++i) {
+      const std::string child = "l" + std::to_string(i), parent = "l" + std::to_string(i - 1);
+      text += "<link name='" + child + "'>" + inertial + "</link>";
+      text += "<joint name='j" + std::to_string(i) + "' type='continuous'><parent link='" + parent +
+              "'/><child link='" + child + "'/></joint>\n";
+    }
+    return text + "</robot>";
+  };
+  Diagnostics diagnostics;
+  const ReadResult thousand = readUrdfText(chain(1000), "chain.urdf", diagnostics);
+  ASSERT_TRUE(thousand.has_value()) << diagnostics.text();
+  EXPECT_EQ(thousand->tree.joints.size(), 999U);
+  EXPECT_FALSE(readUrdfText(chain(1001), "chain.urdf", diagnostics).has_value());
+  EXPECT_NE(diagnostics.text().find("expected at most 1000 of each"), std::string::npos);
+}
+
+TEST(BrokenRobots, WhatIsNoFileIsTold) {
+  Diagnostics diagnostics;
+  EXPECT_FALSE(readUrdf("no/such/robot.urdf", diagnostics).has_value());
+  EXPECT_FALSE(readUrdf(MUROSIMF_SOURCE_DIR, diagnostics).has_value());
+  EXPECT_EQ(diagnostics.text(), MUROSIMF_SOURCE_DIR
+            ": error: not a file, expected a robot (URDF)\n"
+            "no/such/robot.urdf: error: file does not exist, expected a robot (URDF)\n");
+}
+
+}  // namespace
+}  // namespace murosimf
