@@ -49,6 +49,7 @@ class BlockingRule {
   void stopTheRest(std::span<BlockingDisc> discs) const;
 
   Settings settings_;
+  double margin_ = 0;  // [m] that a separation may move a disc in this update
   std::vector<int> by_x_;
   std::vector<Pair> pairs_;
 };

@@ -54,17 +54,23 @@ struct MidpointStep {
   }
 };
 
+/// Newton's method between two bounds; halves them where a step leaves them or does not halve the step before last.
 double solveByNewton(const MidpointStep& law) {
   double low = 0, high = law.impulse(0), p = 0;
   if (high <= 0) return 0;
   const double tolerance = 1e-13 * high;
-  for (int i = 0; i < 50; ++i) {
+  double last_step = high, step_before = high;
+  for (int i = 0; i < 100; ++i) {
     const Factor residual = law.residual(p);
+    if (residual.value == 0) return p;
     (residual.value > 0 ? high : low) = p;
     double next = p - residual.value / residual.slope;
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
-    if (abs(next - p) <= tolerance) return next;
+    const bool converges = next >= low && next <= high && abs(next - p) <= 0.5 * step_before;
+    if (!converges) next = 0.5 * (low + high);
+    step_before = last_step;
+    last_step = abs(next - p);
     p = next;
+    if (last_step <= tolerance) break;
   }
   return p;
 }
