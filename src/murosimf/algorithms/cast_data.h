@@ -101,6 +101,7 @@ struct CastScene {
   const CastRow* rows;  ///< of tiles
   float lamp[3];        ///< unit vector towards the lamp, in C
   float ambient;        ///< share of light from everywhere
+  std::int32_t has_shadows;
 };
 
 /// Rows [first_row, last_row) of one picture.

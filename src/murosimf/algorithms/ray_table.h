@@ -10,6 +10,7 @@
 
 #include "murosimf/algorithms/camera_model.h"
 #include "murosimf/algorithms/cast_data.h"
+#include "murosimf/algorithms/slope_rectangle.h"
 
 namespace murosimf {
 
@@ -28,12 +29,15 @@ class RayTable {
   const float* x() const { return x_.data(); }
   const float* y() const { return y_.data(); }
   const TileRays* tiles() const { return tiles_.data(); }  ///< row by row
+  /// Rectangle of slopes of each row of tiles.
+  const std::vector<SlopeRectangle>& rowRectangles() const { return row_rectangles_; }
 
  private:
   CameraModel camera_;
   int tile_columns_, tile_rows_;
   std::vector<float> x_, y_;
   std::vector<TileRays> tiles_;
+  std::vector<SlopeRectangle> row_rectangles_;
 };
 
 }  // namespace murosimf

@@ -1,0 +1,29 @@
+#pragma once
+
+/// @file Parts of prepareScene(): surfaces and ground as seen from a camera, and which rows of tiles may show them.
+
+#include "murosimf/algorithms/prepared_scene.h"
+#include "murosimf/algorithms/ray_scene.h"
+#include "murosimf/algorithms/ray_table.h"
+
+namespace murosimf {
+
+/// A camera in the world, in the forms that surfaces need.
+struct CameraView {
+  Pose X_WC;
+  double height;   ///< above the ground [m]; at least 1 mm
+  Vector3 lamp_C;  ///< unit vector
+  double ambient;
+};
+CameraView viewOf(const RayScene& scene, const Pose& X_WC);
+
+/// Appends a drawable to work.surfaces and work.extents, unless it lies behind the camera or holds it.
+void addSurface(const CameraView& view, const Drawable& drawable, PreparedScene& work);
+/// The same for its soft shadow on the ground; none when it stands higher than 0.3 m.
+void addShadow(const CameraView& view, const Drawable& drawable, PreparedScene& work);
+/// Overwrites work.cast.ground, work.strips and work.rings.
+void setGround(const CameraView& view, const RayScene& scene, PreparedScene& work);
+/// Sorts work.extents front to back and lists for every row of tiles those that it may show. Overwrites work.rows.
+void sortIntoRows(const RayTable& rays, PreparedScene& work);
+
+}  // namespace murosimf
