@@ -17,6 +17,7 @@ enum class ShapeKind : std::uint8_t { kBox, kEllipsoid, kCylinder };
 struct Shape {
   ShapeKind kind = ShapeKind::kBox;
   Vector3 half_size;
+  friend bool operator==(const Shape&, const Shape&) = default;
 };
 
 inline Shape makeBox(const Vector3& edges) { return {ShapeKind::kBox, edges * 0.5}; }

@@ -33,6 +33,20 @@ void LinkedWorld::run(Phase phase, long frame, double* step_memory) const {
   }
 }
 
+int LinkedWorld::periodOf(ObjectId assembly, std::string_view property) const {
+  for (const Place& place : places_) {
+    if (place.assembly != assembly) continue;
+    for (const LinkedPass& pass : batches_[static_cast<std::size_t>(place.batch)].passes) {
+      Declaration declaration;
+      pass.module->declare(declaration);
+      for (const DeclaredProperty& p : declaration.properties()) {
+        if (p.access == Access::kAdds && p.name == property) return pass.period;
+      }
+    }
+  }
+  return 1;
+}
+
 double* LinkedWorld::element(const Place& place, const ColumnLayout& layout) const {
   const Batch& batch = batches_[static_cast<std::size_t>(place.batch)];
   const AlignedDoubles& state = batch.state[static_cast<std::size_t>(place.block)];

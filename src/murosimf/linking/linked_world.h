@@ -75,6 +75,8 @@ class LinkedWorld {
     double* first = locate(assembly, property.name, of, stride, objects);
     return {first, stride, objects};
   }
+  /// Frames between two updates of a variable of an assembly; 1 when no module writes it.
+  int periodOf(ObjectId assembly, std::string_view property) const;
   /// Runs the passes of one phase that are due in this frame, on one block.
   void runBlock(Phase phase, const Batch& batch, int block, long frame, double* step_memory) const;
   /// Same on all blocks, one after the other.

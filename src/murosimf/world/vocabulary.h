@@ -7,9 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/algorithms/camera_model.h"
+#include "murosimf/algorithms/ray_scene.h"
 #include "murosimf/algorithms/shape.h"
 #include "murosimf/algorithms/tree_table.h"
 #include "murosimf/world/property.h"
+#include "murosimf/world/surface_table.h"
 
 namespace murosimf {
 
@@ -59,6 +62,16 @@ inline constexpr Constant<double> kBlockingRadius{"blocking_radius", "m",
 inline constexpr Constant<double> kMass{"mass", "kg", "m > 0"};
 inline constexpr Constant<double> kInertiaFactor{"inertia_factor", "1", "beta of a ball: I = beta m r^2"};
 inline constexpr Constant<Pose> kFixedPose{"fixed_pose", "", "X_WB of a body that never moves"};
+
+inline constexpr Constant<double> kBallRadius{"ball_radius", "m",
+                                              "radius of the sphere with which a free body touches"};
+// Constants of cameras.
+inline constexpr Constant<CameraModel> kCameraModel{"camera_model", "", "lens and size of the picture"};
+inline constexpr Constant<MountPlace> kCameraPlace{"camera_place", "", "mount; C: x right, y down, z forward"};
+inline constexpr Constant<std::vector<int>> kHiddenRows{"hidden_rows", "", "bodies that this camera does not draw"};
+// Constants of the world's root.
+inline constexpr Constant<SurfaceTable> kSurfaceTable{"surface_table", "", "what happens between types of surface"};
+inline constexpr Constant<PaintedGround> kGround{"ground", "", "carpet and painted lines"};
 
 // Variables that come from outside the modules.
 inline constexpr Variable<ServoCommand> kJointCommand{"joint_command", "SI", "demand in force, from the robot port"};

@@ -1,0 +1,53 @@
+#pragma once
+
+/// @file One camera of a robot: the picture that it takes of a snapshot of the world.
+
+#include <memory>
+#include <string>
+
+#include "murosimf/algorithms/ray_caster.h"
+#include "murosimf/modules/camera/scene_view.h"
+
+namespace murosimf {
+
+/// Level of detail "ray_caster": casts a ray through the real lens for every pixel, adds the sensor's noise.
+/// Parameters of the method; the lens and the mount are constants of the camera's object.
+struct RobotCameraSettings {
+  double period = 0.05;  ///< between pictures [s]
+  double phase = 0;      ///< time of the first picture [s]
+  double noise = 0.015;  ///< standard deviation, share of full scale
+  double gain = 1;       ///< brightness of the sensor
+};
+
+class RobotCamera {
+ public:
+  /// @throws std::invalid_argument as checkCamera() does, or when the object lacks a lens or a mount.
+  RobotCamera(const World& world, const SceneView& view, ObjectId robot, ObjectId camera,
+              std::shared_ptr<const RayTable> rays, const RobotCameraSettings& settings, std::uint64_t seed,
+              double frame_length);
+
+  ObjectId object() const { return object_; }
+  const CameraModel& model() const { return rays_->camera(); }
+  /// True when a picture is due at the end of this frame; `frame` = -1 is the moment before the first one.
+  bool isDue(long frame) const { return (frame + 1) >= phase_ && (frame + 1 - phase_) % period_ == 0; }
+  /// X_WC at the end of a frame.
+  Pose pose(const SceneView& view, long frame) const;
+  /// Renders into picture(). May run on any thread while the simulation goes on; reads only its arguments.
+  void render(const RayScene& scene, const Pose& X_WC, long frame);
+  const Picture& picture() const { return picture_; }
+
+ private:
+  ObjectId robot_, object_;
+  std::string path_;
+  std::shared_ptr<const RayTable> rays_;
+  RobotCameraSettings settings_;
+  std::uint64_t seed_;
+  long period_, phase_;  // in frames
+  int row_;
+  Pose X_BC_;
+  std::vector<std::uint32_t> hidden_;
+  PreparedScene work_;
+  Picture picture_;
+};
+
+}  // namespace murosimf

@@ -1,0 +1,85 @@
+#include "murosimf/modules/camera/scene_view.h"
+
+#include <algorithm>
+
+#include "murosimf/world/vocabulary.h"
+
+namespace murosimf {
+
+namespace {
+constexpr std::uint32_t kRowsPerOwner = 256;
+}
+
+const OutsideAccess& SceneView::robotAccess() {
+  static const OutsideAccess access([](Declaration& d) {
+    d.needs(kShapes);
+    d.reads(kBodyPose, subset::kBodies);
+    d.reads(kBodyPoseLast, subset::kBodies);
+  });
+  return access;
+}
+
+SceneView::SceneView(const World& world, LinkedWorld& linked, const std::vector<ObjectId>& robots,
+                     const std::vector<ObjectId>& free_bodies, const std::vector<ObjectId>& fixed)
+    : robots_(robots) {
+  if (const PaintedGround* ground = world.findShared(world.root(), kGround)) initial_.ground = *ground;
+  for (const ObjectId id : free_bodies) {
+    Source source;
+    source.body = static_cast<int>(bodies_.size());
+    bodies_.push_back(linked.handle(id, kBasePose));
+    addShapes(world, id, Pose{}, source);
+  }
+  for (const ObjectId id : robots) {
+    Source source;
+    source.robot = static_cast<int>(paths_.size());
+    paths_.emplace_back(linked, id);
+    addShapes(world, id, Pose{}, source);
+  }
+  for (const ObjectId id : fixed) addShapes(world, id, *world.find(id, kFixedPose), Source{});
+}
+
+void SceneView::addShapes(const World& world, ObjectId object, const Pose& X_WB, Source source) {
+  labelled_.push_back(object);
+  const auto label = static_cast<std::uint16_t>(labelled_.size());
+  for (const BodyShape& s : *world.findShared(object, kShapes)) {
+    if (!s.drawn) continue;
+    source.row = s.row;
+    source.X_BS = s.X_BS;
+    sources_.push_back(source);
+    Drawable& drawable = initial_.drawables.emplace_back();
+    drawable.shape = s.shape;
+    drawable.X_WS = X_WB * s.X_BS;
+    drawable.colour = s.colour;
+    drawable.label = label;
+    drawable.owner = label * kRowsPerOwner + static_cast<std::uint32_t>(s.row);
+  }
+}
+
+void SceneView::snapshot(long frame, RayScene& scene) const {
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
+    const Source& source = sources_[i];
+    if (source.robot >= 0) {
+      const BodyPath& path = paths_[static_cast<std::size_t>(source.robot)];
+      scene.drawables[i].X_WS = path.pose(source.row, path.shareAfter(frame)) * source.X_BS;
+    } else if (source.body >= 0) {
+      scene.drawables[i].X_WS = bodies_[static_cast<std::size_t>(source.body)].get() * source.X_BS;
+    }
+  }
+}
+
+std::uint16_t SceneView::labelOf(ObjectId object) const {
+  const auto found = std::find(labelled_.begin(), labelled_.end(), object);
+  return found == labelled_.end() ? std::uint16_t{0} : static_cast<std::uint16_t>(found - labelled_.begin() + 1);
+}
+
+std::uint32_t SceneView::ownerOf(ObjectId object, int row) const {
+  return labelOf(object) * kRowsPerOwner + static_cast<std::uint32_t>(row);
+}
+
+Pose SceneView::bodyPose(ObjectId robot, int row, long frame) const {
+  const auto found = std::find(robots_.begin(), robots_.end(), robot);
+  const BodyPath& path = paths_[static_cast<std::size_t>(found - robots_.begin())];
+  return path.pose(row, path.shareAfter(frame));
+}
+
+}  // namespace murosimf

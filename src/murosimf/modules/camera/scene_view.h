@@ -1,0 +1,49 @@
+#pragma once
+
+/// @file The world as cameras see it: a snapshot of everything drawn, at one moment.
+///
+/// Built once from the shapes of robots, free bodies and fixed objects; afterwards only poses change. A snapshot is
+/// immutable while cameras look at it, so physics may go on.
+
+#include <vector>
+
+#include "murosimf/algorithms/ray_scene.h"
+#include "murosimf/linking/body_path.h"
+#include "murosimf/linking/outside_access.h"
+
+namespace murosimf {
+
+class SceneView {
+ public:
+  /// What it takes of robots: attach this when linking.
+  static const OutsideAccess& robotAccess();
+
+  SceneView(const World& world, LinkedWorld& linked, const std::vector<ObjectId>& robots,
+            const std::vector<ObjectId>& free_bodies, const std::vector<ObjectId>& fixed);
+
+  /// Writes poses as they are at the end of this frame. `scene` must be a copy of initialScene().
+  void snapshot(long frame, RayScene& scene) const;
+  const RayScene& initialScene() const { return initial_; }
+
+  /// Label of everything that belongs to an object, from 1; 0 when it is not drawn. Label of an owner's row, for
+  /// hiding.
+  std::uint16_t labelOf(ObjectId object) const;
+  std::uint32_t ownerOf(ObjectId object, int row) const;
+  /// X_WB of a body at the end of a frame.
+  Pose bodyPose(ObjectId robot, int row, long frame) const;
+
+ private:
+  struct Source {  // where the pose of one drawable comes from
+    int robot = -1, body = -1, row = 0;
+    Pose X_BS;
+  };
+  void addShapes(const World& world, ObjectId object, const Pose& X_WB, Source source);
+
+  RayScene initial_;
+  std::vector<Source> sources_;  // one per drawable
+  std::vector<ObjectId> robots_, labelled_;
+  std::vector<BodyPath> paths_;
+  std::vector<Handle<Pose>> bodies_;
+};
+
+}  // namespace murosimf

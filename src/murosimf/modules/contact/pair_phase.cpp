@@ -1,0 +1,202 @@
+#include "murosimf/modules/contact/pair_phase.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "murosimf/math/random.h"
+#include "murosimf/world/vocabulary.h"
+
+namespace murosimf {
+
+namespace {
+
+constexpr double kRobotReach = 0.8;  // [m] from a robot's base to the farthest point of its bodies
+constexpr std::string_view kGroundSurface = "turf";
+
+}  // namespace
+
+const OutsideAccess& PairPhase::freeBodyAccess() {
+  static const OutsideAccess access([](Declaration& d) {
+    d.needs(kMass);
+    d.needs(kInertiaFactor);
+    d.needs(kBallRadius);
+    d.needs(kShapes);
+    d.adds(kBasePose);
+    d.adds(kBodyVelocity);
+    d.adds(kBodyRate);
+  });
+  return access;
+}
+
+const OutsideAccess& PairPhase::robotAccess() {
+  static const OutsideAccess access([](Declaration& d) {
+    d.needs(kMass);
+    d.needs(kShapes);
+    d.reads(kBodyPose, subset::kBodies);
+    d.reads(kBodyPoseLast, subset::kBodies);
+  });
+  return access;
+}
+
+PairPhase::PairPhase(const World& world, LinkedWorld& linked, std::vector<ObjectId> free_bodies,
+                     std::vector<ObjectId> robots, std::vector<ObjectId> fixed) {
+  for (const ObjectId id : free_bodies) {
+    const double mass = *world.find(id, kMass), radius = *world.find(id, kBallRadius);
+    moving_.push_back({id, linked.handle(id, kBasePose), linked.handle(id, kBodyVelocity), linked.handle(id, kBodyRate),
+                       mass, *world.find(id, kInertiaFactor) * mass * radius * radius, radius, hashName(world.path(id)),
+                       world.findShared(id, kShapes)->front().surface});
+  }
+  for (const Moving& body : moving_) {
+    const SurfacePair* pair = world.findShared(world.root(), kSurfaceTable)->find(body.surface, kGroundSurface);
+    if (pair == nullptr) {
+      throw std::invalid_argument(fmt::format("no surface pair of {} and {}", body.surface, kGroundSurface));
+    }
+    ground_.push_back(*pair);
+  }
+  for (const ObjectId id : robots) {
+    robots_.push_back({id, BodyPath(linked, id), *world.find(id, kMass), obstaclesOf(world, id)});
+  }
+  for (const ObjectId id : fixed) {
+    for (Obstacle& obstacle : obstaclesOf(world, id)) {
+      fixed_poses_.push_back(*world.find(id, kFixedPose));
+      fixed_.push_back(std::move(obstacle));
+    }
+  }
+  solver_.reserve(static_cast<int>(moving_.size()), static_cast<int>(32 * moving_.size()));
+}
+
+std::vector<SurfacePair> PairPhase::surfacesWith(const World& world, const std::string& surface) const {
+  std::vector<SurfacePair> pairs;
+  for (const Moving& body : moving_) {
+    const SurfacePair* pair = world.findShared(world.root(), kSurfaceTable)->find(body.surface, surface);
+    if (pair == nullptr) {
+      throw std::invalid_argument(fmt::format("no surface pair of {} and {}", body.surface, surface));
+    }
+    pairs.push_back(*pair);
+  }
+  return pairs;
+}
+
+std::vector<PairPhase::Obstacle> PairPhase::obstaclesOf(const World& world, ObjectId object) const {
+  std::vector<Obstacle> obstacles;
+  std::uint16_t number = 0;
+  for (const BodyShape& s : *world.findShared(object, kShapes)) {
+    const std::uint16_t own_number = number++;
+    if (!s.collides) continue;
+    obstacles.push_back({object, s.row, s.X_BS, s.shape, boundingRadius(s.shape), hashName(world.path(object)),
+                         own_number, surfacesWith(world, s.surface)});
+  }
+  return obstacles;
+}
+
+void PairPhase::advance(long frame, double dt) {
+  frame_.bodies.clear();
+  frame_.partners.clear();
+  frame_.pairs.clear();
+  partner_objects_.clear();
+  for (std::size_t i = 0; i < moving_.size(); ++i) {
+    const Moving& m = moving_[i];
+    FreeBody& body = frame_.bodies.emplace_back();
+    body.mass = m.mass;
+    body.inertia = {m.inertia, m.inertia, m.inertia};
+    body.X_WB = m.pose.get();
+    body.velocity = m.velocity.get();
+    body.angular_velocity = m.rate.get();
+    const double reach = m.radius + norm(body.velocity) * dt + 0.02;
+    addGround(i);
+    addFixed(i, reach);
+    for (const Robot& robot : robots_) addRobot(i, robot, reach, frame);
+    for (std::size_t k = 0; k < i; ++k) {
+      SpherePair& pair = frame_.pairs.emplace_back();
+      pair.key = {m.name, moving_[k].name, 0, 0, 0};
+      pair.body = static_cast<int>(i);
+      pair.radius = m.radius;
+      pair.other_body = static_cast<int>(k);
+      pair.shape = makeSphere(moving_[k].radius);
+      pair.surface = ground_[i];
+    }
+  }
+  solver_.advance(frame_, dt);
+  for (std::size_t i = 0; i < moving_.size(); ++i) {
+    moving_[i].pose.set(frame_.bodies[i].X_WB);
+    moving_[i].velocity.set(frame_.bodies[i].velocity);
+    moving_[i].rate.set(frame_.bodies[i].angular_velocity);
+  }
+  touches_.clear();
+  for (const SpherePair& pair : frame_.pairs) {
+    if (!pair.touched || pair.partner < 0) continue;
+    touches_.push_back({moving_[static_cast<std::size_t>(pair.body)].object,
+                        partner_objects_[static_cast<std::size_t>(pair.partner)]});
+  }
+}
+
+void PairPhase::addGround(std::size_t body) {
+  const Moving& m = moving_[body];
+  SpherePair& pair = frame_.pairs.emplace_back();
+  pair.key = {m.name, hashName(kGroundSurface), 0, 0, 0};
+  pair.body = static_cast<int>(body);
+  pair.radius = m.radius;
+  pair.partner = static_cast<int>(frame_.partners.size());
+  pair.plane = true;
+  pair.surface = ground_[body];
+  frame_.partners.emplace_back();
+  partner_objects_.push_back({});
+}
+
+void PairPhase::addFixed(std::size_t body, double reach) {
+  const Vector3 centre = frame_.bodies[body].X_WB.translation;
+  for (std::size_t i = 0; i < fixed_.size(); ++i) {
+    const double far = reach + fixed_[i].reach;
+    if (squaredNorm(fixed_poses_[i] * fixed_[i].X_PS.translation - centre) > far * far) continue;
+    ContactPartner& partner = frame_.partners.emplace_back();
+    partner.X_start = partner.X_end = fixed_poses_[i];
+    addPair(body, fixed_[i], static_cast<int>(frame_.partners.size()) - 1);
+  }
+}
+
+void PairPhase::addRobot(std::size_t body, const Robot& robot, double reach, long frame) {
+  const Vector3 centre = frame_.bodies[body].X_WB.translation;
+  const double begin = robot.path.shareAt(frame), end = robot.path.shareAfter(frame);
+  const double far = reach + kRobotReach;
+  if (squaredNorm(robot.path.position(0, end) - centre) > far * far) return;
+  for (const Obstacle& obstacle : robot.shapes) {
+    const double near = reach + obstacle.reach + norm(obstacle.X_PS.translation);
+    if (squaredNorm(robot.path.position(obstacle.row, end) - centre) > near * near) continue;
+    ContactPartner& partner = frame_.partners.emplace_back();
+    partner.kind = PartnerKind::kPrescribed;
+    partner.X_start = robot.path.pose(obstacle.row, begin);
+    partner.X_end = robot.path.pose(obstacle.row, end);
+    partner.pusher_mass = robot.mass;
+    addPair(body, obstacle, static_cast<int>(frame_.partners.size()) - 1);
+  }
+}
+
+void PairPhase::addPair(std::size_t body, const Obstacle& obstacle, int partner) {
+  SpherePair& pair = frame_.pairs.emplace_back();
+  pair.key = {moving_[body].name, obstacle.name, 0, obstacle.number, 0};
+  pair.body = static_cast<int>(body);
+  pair.radius = moving_[body].radius;
+  pair.partner = partner;
+  pair.shape = obstacle.shape;
+  pair.X_PS = obstacle.X_PS;
+  pair.surface = obstacle.surface[body];
+  partner_objects_.push_back(obstacle.object);
+}
+
+void PairPhase::placeBody(ObjectId body, const Pose& X_WB, const Vector3& velocity) {
+  for (Moving& m : moving_) {
+    if (m.object != body) continue;
+    m.pose.set(X_WB);
+    m.velocity.set(velocity);
+    m.rate.set({});
+  }
+}
+
+void PairPhase::archive(StateArchive& archive) {
+  std::vector<KeptContact> kept(solver_.kept().begin(), solver_.kept().end());
+  archive(kept);
+  if (archive.loading()) solver_.restore(kept);
+}
+
+}  // namespace murosimf

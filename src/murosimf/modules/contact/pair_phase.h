@@ -1,0 +1,91 @@
+#pragma once
+
+/// @file The pair phase of the frame: free bodies (the ball) advance against ground, posts and robots.
+///
+/// Joins the world's properties with the free functions of algorithms/pair_solver.h. Each frame it finds, for every
+/// free body, the shapes that it may reach (bounding spheres, robots first, then their bodies), gives their straight
+/// paths over the frame, and lets the solver advance.
+///
+/// Free bodies   need mass, inertia_factor, ball_radius and one shape (its surface name counts);
+///               it adds base_pose, body_velocity and body_rate, and moves them every frame.
+/// Robots        it reads body_pose and body_pose_last; shapes with `collides` touch. Their motion is prescribed: they
+///               push with a capped force and do not recoil.
+/// Static        objects with fixed_pose and shapes; the ground is the half-space below z = 0, surface "turf".
+/// State         contacts kept from frame to frame (PairSolver::kept).
+
+#include <vector>
+
+#include "murosimf/algorithms/pair_solver.h"
+#include "murosimf/linking/body_path.h"
+#include "murosimf/linking/outside_access.h"
+#include "murosimf/math/state_archive.h"
+
+namespace murosimf {
+
+class PairPhase {
+ public:
+  /// What it takes of and gives to free bodies, and to robots: attach these when linking.
+  static const OutsideAccess& freeBodyAccess();
+  static const OutsideAccess& robotAccess();
+
+  /// Finds everything that can touch. @throws std::invalid_argument naming both surfaces when the table lacks a pair.
+  PairPhase(const World& world, LinkedWorld& linked, std::vector<ObjectId> free_bodies, std::vector<ObjectId> robots,
+            std::vector<ObjectId> fixed);
+
+  /// Moves the free bodies over this frame. Robots' paths must have been prescribed.
+  void advance(long frame, double dt);
+  /// Handles of the first free body with this object; for those who place or watch it.
+  void placeBody(ObjectId body, const Pose& X_WB, const Vector3& velocity);
+  /// True when this body and an object touched in the last frame: names as in lastTouch().
+  struct Touch {
+    ObjectId body, partner;
+  };
+  const std::vector<Touch>& touches() const { return touches_; }
+
+  void archive(StateArchive& archive);
+
+ private:
+  struct Moving {
+    ObjectId object;
+    Handle<Pose> pose;
+    Handle<Vector3> velocity, rate;
+    double mass, inertia, radius;
+    std::uint64_t name;
+    std::string surface;
+  };
+  struct Obstacle {  // one shape of a robot's body or of something fixed
+    ObjectId object;
+    int row;
+    Pose X_PS;
+    Shape shape;
+    double reach;  // bounding radius [m]
+    std::uint64_t name;
+    std::uint16_t number;
+    std::vector<SurfacePair> surface;  // per free body
+  };
+  struct Robot {
+    ObjectId object;
+    BodyPath path;
+    double mass;
+    std::vector<Obstacle> shapes;
+  };
+
+  std::vector<Obstacle> obstaclesOf(const World& world, ObjectId object) const;
+  std::vector<SurfacePair> surfacesWith(const World& world, const std::string& surface) const;
+  void addGround(std::size_t body);
+  void addFixed(std::size_t body, double reach);
+  void addRobot(std::size_t body, const Robot& robot, double reach, long frame);
+  void addPair(std::size_t body, const Obstacle& obstacle, int partner);
+
+  std::vector<Moving> moving_;
+  std::vector<Robot> robots_;
+  std::vector<Obstacle> fixed_;
+  std::vector<Pose> fixed_poses_;
+  std::vector<SurfacePair> ground_;  // per free body
+  PairSolver solver_;
+  FrameContacts frame_;
+  std::vector<ObjectId> partner_objects_;
+  std::vector<Touch> touches_;
+};
+
+}  // namespace murosimf
