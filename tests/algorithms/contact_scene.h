@@ -5,6 +5,7 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "murosimf/algorithms/free_body_motion.h"
 #include "murosimf/algorithms/pair_solver.h"
 #include "murosimf/math/random.h"
 
