@@ -82,13 +82,27 @@ class LinkedWorld {
   /// Same on all blocks, one after the other.
   void run(Phase phase, long frame, double* step_memory) const;
 
-  /// Calls visit(layout, object index in subset, component, value reference) for every number of state of an assembly,
-  /// in a fixed order: by property, then subset.
+  /// Calls visit(layout, object number, component, value) for every number of an assembly's state, in a fixed order: by
+  /// property, then subset.
   template <class Visitor>
   void visitState(const Place& place, Visitor&& visit) const {
+    visitColumns(place, [&](const ColumnLayout& layout, int object, int component, double& value) {
+      if (layout.storage == Storage::kState) visit(layout, object, component, value);
+    });
+  }
+  /// Calls visit(value) for every number that a continued run needs: state, and what is kept between frames.
+  template <class Visitor>
+  void visitMemory(const Place& place, Visitor&& visit) const {
+    visitColumns(place, [&](const ColumnLayout&, int, int, double& value) { visit(value); });
+  }
+
+ private:
+  friend class Linker;
+  template <class Visitor>
+  void visitColumns(const Place& place, Visitor&& visit) const {
     const Batch& batch = batches_[static_cast<std::size_t>(place.batch)];
     for (const ColumnLayout& layout : batch.columns) {
-      if (layout.ref.memory != MemoryKind::kState || layout.storage != Storage::kState) continue;
+      if (layout.ref.memory != MemoryKind::kState) continue;
       double* first = element(place, layout);
       for (int i = 0; i < layout.objects; ++i) {
         for (int c = 0; c < layout.components; ++c) {
@@ -97,9 +111,6 @@ class LinkedWorld {
       }
     }
   }
-
- private:
-  friend class Linker;
   double* element(const Place& place, const ColumnLayout& layout) const;
   double* locate(ObjectId assembly, std::string_view property, std::string_view of, int& stride, int& objects);
 

@@ -1,0 +1,43 @@
+#pragma once
+
+/// @file A robot port: two plain frames, sensors out and commands in, between one robot and its control software.
+
+#include <vector>
+
+#include "murosimf/control/client/robot_description.h"
+#include "murosimf/control/client/robot_frames.h"
+#include "murosimf/linking/linked_world.h"
+#include "murosimf/linking/outside_access.h"
+#include "murosimf/world/vocabulary.h"
+
+namespace murosimf {
+
+/// Joins the properties of one robot with the frames of its control software. A command that is not finite is refused
+/// here, joint by joint, before it can enter physics.
+class RobotPort {
+ public:
+  /// What it takes of and gives to robots: attach this when linking.
+  static const OutsideAccess& robotAccess();
+
+  RobotPort(LinkedWorld& linked, ObjectId robot, client::RobotDescription description);
+
+  ObjectId robot() const { return robot_; }
+  const client::RobotDescription& description() const { return description_; }
+
+  /// Reads joints, inertial sensor and soles as they are now. Pictures, messages and game are the caller's to add.
+  void readSensors(double t, client::SensorFrame& sensors);
+  /// A command frame of the right size in which every joint asks for nothing.
+  client::CommandFrame emptyCommands() const;
+  /// Puts commands into force. @returns how many joints' commands were refused: not finite, or kp or kd below zero.
+  int applyCommands(const client::CommandFrame& commands);
+
+ private:
+  ObjectId robot_;
+  client::RobotDescription description_;
+  Handle<ServoCommand> command_;
+  Handle<double> position_, velocity_, clearance_;
+  Handle<Vector3> gyroscope_, accelerometer_;
+  std::vector<client::JointReading> joints_;
+};
+
+}  // namespace murosimf

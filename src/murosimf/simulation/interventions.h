@@ -1,0 +1,59 @@
+#pragma once
+
+/// @file Interventions: everything that changes state from outside the physics, in one recorded queue.
+///
+/// The referee placing the ball, a person moving a robot: each says at which frame it acts, and all of a frame act
+/// before anything else, in the order (frame, object's path, order of request). A run is repeated by scenario, seed,
+/// commands and interventions.
+
+#include <string>
+#include <vector>
+
+#include "murosimf/math/state_archive.h"
+#include "murosimf/modules/contact/pair_phase.h"
+
+namespace murosimf {
+
+/// One change.
+struct Intervention {
+  enum class Kind { kPlaceRobot, kPlaceBody };
+  Kind kind = Kind::kPlaceRobot;
+  ObjectId object;
+  PlanarPose pose;    ///< kPlaceRobot: base on the ground; kPlaceBody: x, y of the centre
+  double height = 0;  ///< kPlaceBody: of the centre [m]
+  Vector3 velocity;   ///< kPlaceBody [m/s]
+};
+
+class InterventionQueue {
+ public:
+  /// What it gives to robots: attach this when linking.
+  static const OutsideAccess& robotAccess();
+
+  InterventionQueue(const World& world, LinkedWorld& linked, PairPhase& pairs)
+      : world_(world), linked_(linked), pairs_(pairs) {}
+
+  /// Acts at the beginning of this frame, or of the next one that begins.
+  void request(long frame, const Intervention& intervention);
+  void placeRobot(long frame, ObjectId robot, const PlanarPose& pose);
+  void placeBody(long frame, ObjectId body, const Vector3& position, const Vector3& velocity = {});
+  /// Applies what is due.
+  void apply(long frame);
+
+  struct Logged {
+    long frame = 0;
+    Intervention intervention;
+  };
+  /// Everything applied so far.
+  const std::vector<Logged>& log() const { return log_; }
+  void archive(StateArchive& archive) { archive(waiting_); }
+
+ private:
+  void act(const Intervention& intervention);
+
+  const World& world_;
+  LinkedWorld& linked_;
+  PairPhase& pairs_;
+  std::vector<Logged> waiting_, log_;
+};
+
+}  // namespace murosimf

@@ -1,0 +1,94 @@
+#include "murosimf/simulation/simulation.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include "murosimf/simulation/state_hash.h"
+
+namespace murosimf {
+
+void attachFrame(Linker& linker, const Participants& participants) {
+  linker.attach({"interventions", &InterventionQueue::robotAccess(), participants.robots});
+  linker.attach({"robot_port", &RobotPort::robotAccess(), participants.robots});
+  linker.attach({"pair_phase", &PairPhase::robotAccess(), participants.robots});
+  linker.attach({"pair_phase", &PairPhase::freeBodyAccess(), participants.free_bodies});
+  linker.attach({"blocking", &BlockingPhase::robotAccess(), participants.robots});
+  linker.attach({"scene_view", &SceneView::robotAccess(), participants.robots});
+}
+
+Simulation::Simulation(std::shared_ptr<const World> world, std::unique_ptr<LinkedWorld> linked,
+                       Participants participants)
+    : world_(std::move(world)),
+      linked_(std::move(linked)),
+      participants_(std::move(participants)),
+      pairs_(*world_, *linked_, participants_.free_bodies, participants_.robots, participants_.fixed),
+      blocking_(*world_, *linked_, participants_.robots, participants_.fixed),
+      view_(*world_, *linked_, participants_.robots, participants_.free_bodies, participants_.fixed),
+      interventions_(*world_, *linked_, pairs_),
+      step_memory_(linked_->stepMemorySize()) {}
+
+Simulation::~Simulation() = default;
+
+void Simulation::start() {
+  started_ = true;
+  if (control_ != nullptr) control_->start();
+}
+
+void Simulation::step() {
+  stages_.start();
+  if (!started_) start();
+  interventions_.apply(frame_);
+  stages_.lap(Stage::kInterventions);
+  if (control_ != nullptr) control_->applyCommands(frame_);
+  stages_.lap(Stage::kCommands);
+  runPhase(Phase::kPrescribe);
+  blocking_.advance(frame_);
+  stages_.lap(Stage::kPrescribe);
+  pairs_.advance(frame_, frameLength());
+  stages_.lap(Stage::kContacts);
+  runPhase(Phase::kAdvance);
+  stages_.lap(Stage::kAdvance);
+  runPhase(Phase::kSense);
+  stages_.lap(Stage::kSense);
+  if (control_ != nullptr) control_->publish(frame_);
+  stages_.lap(Stage::kPublish);
+  ++frame_;
+  for (FrameObserver* observer : observers_) observer->afterFrame(*this);
+  stages_.lap(Stage::kObserve);
+}
+
+namespace {
+
+/// Blocks from which on handing them to other threads pays: a block's pass costs a microsecond or less.
+constexpr int kBlocksWorthForking = 32;
+
+}  // namespace
+
+void Simulation::runPhase(Phase phase) {
+  for (const Batch& batch : linked_->batches()) {
+    if (batch.blockCount() < kBlocksWorthForking) {
+      for (int b = 0; b < batch.blockCount(); ++b) linked_->runBlock(phase, batch, b, frame_, step_memory_.data());
+      continue;
+    }
+    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<int>(0, batch.blockCount(), 8), [&](const auto& range) {
+      thread_local AlignedDoubles memory;
+      if (memory.size() < step_memory_.size()) memory = AlignedDoubles(step_memory_.size());
+      for (int b = range.begin(); b < range.end(); ++b) linked_->runBlock(phase, batch, b, frame_, memory.data());
+    });
+  }
+}
+
+std::uint64_t Simulation::stateHash() const { return hashState(*linked_); }
+
+void Simulation::archive(StateArchive& archive) {
+  if (control_ != nullptr) control_->finish();
+  archive(frame_, started_);
+  for (const Place& place : linked_->places()) {
+    linked_->visitMemory(place, [&](double& value) { archive(value); });
+  }
+  pairs_.archive(archive);
+  interventions_.archive(archive);
+  if (control_ != nullptr) control_->archive(archive);
+  for (FrameObserver* observer : observers_) observer->archive(archive);
+}
+
+}  // namespace murosimf
