@@ -37,7 +37,7 @@ void applyPreset(FieldSettings& field) {
   const bool is_2025 = *field.preset == "2025_kid";
   const SourceLocation& where = field.preset.where;
   for (const Measure& m : kMeasures) field.*m.member = {is_2025 ? m.of_2025_kid : m.of_2007, where};
-  field.carpet = {{.09, .38, .14}, where};
+  field.carpet = {{.09F, .38F, .14F}, where};
   field.goal_at_plus_x = {is_2025 ? "white" : "yellow", where};
   field.goal_at_minus_x = {is_2025 ? "white" : "blue", where};
 }

@@ -13,13 +13,13 @@ namespace murosimf {
 FieldSettings readField(const TextNode* table, Diagnostics& diagnostics);
 
 /// The pairs of the built-in table, for frames of 1 ms: contact parameters of a kid-size robot on carpet.
-std::vector<SurfacePair> builtInSurfacePairs();
+std::vector<SurfacePairSettings> builtInSurfacePairs();
 
 /// Brings the names of [surfaces.B-A] into the order of letters; reports pairs that stand there twice and keys that
 /// name no pair (and removes both).
 void normaliseSurfaces(TextNode& scenario, Diagnostics& diagnostics);
 
 /// @param table [surfaces], normalised; nullptr: built-in pairs only
-std::vector<SurfacePair> readSurfaces(const TextNode* table, Diagnostics& diagnostics);
+std::vector<SurfacePairSettings> readSurfaces(const TextNode* table, Diagnostics& diagnostics);
 
 }  // namespace murosimf

@@ -20,9 +20,10 @@ constexpr std::string_view kSection = "robots.TEAM.NUMBER";
 /// Reads all robot tables' parts with one set of diagnostics.
 class RobotReader {
  public:
-  RobotReader(const TextNode& table, RobotTable kind, const fs::path& scenario, Diagnostics& diagnostics)
+  RobotReader(const TextNode& table, RobotTable kind, std::string_view name, const fs::path& scenario,
+              Diagnostics& diagnostics)
       : table_(table),
-        reader_(&table, kSection, diagnostics),
+        reader_(&table, kSection, diagnostics, name),
         kind_(kind),
         scenario_(scenario),
         problems_(diagnostics) {}
@@ -189,9 +190,9 @@ class RobotReader {
 
 }  // namespace
 
-RobotSettings readRobot(const TextNode& table, RobotTable kind, const fs::path& scenario,
+RobotSettings readRobot(const TextNode& table, RobotTable kind, std::string_view name, const fs::path& scenario,
                         const std::vector<std::string>& more, Diagnostics& diagnostics) {
-  return RobotReader(table, kind, scenario, diagnostics).read(more);
+  return RobotReader(table, kind, name, scenario, diagnostics).read(more);
 }
 
 }  // namespace murosimf

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "murosimf/scene/scene.h"
@@ -15,9 +16,11 @@ namespace murosimf {
 enum class RobotTable { kRobot, kDefaults };
 
 /// @param table normalised and, for kRobot, over all layers (robot_layers.h)
+/// @param name of the table in messages, "robots.red.1"
 /// @param more keys that are allowed besides a robot's
-RobotSettings readRobot(const TextNode& table, RobotTable kind, const std::filesystem::path& scenario,
-                        const std::vector<std::string>& more, Diagnostics& diagnostics);
+RobotSettings readRobot(const TextNode& table, RobotTable kind, std::string_view name,
+                        const std::filesystem::path& scenario, const std::vector<std::string>& more,
+                        Diagnostics& diagnostics);
 
 /// Folders in which files named in a scenario are looked for, in this order: the scenario's, the one above it, the
 /// working folder, the data installed beside the program.

@@ -36,7 +36,6 @@ constexpr std::string_view kRobot = "robots.TEAM.NUMBER";
 constexpr std::string_view kTeam = "teams.TEAM";
 constexpr std::string_view kPair = "surfaces.A-B";
 
-// Largest seed: TOML's integers are 64 bits with a sign; double holds the limit as 2^63, which no integer reaches.
 constexpr ScenarioKey kKeys[] = {
     plainKey("", "simulation", kTable, "", "time steps, seed, clock, threads"),
     plainKey("", "field", kTable, "", "field of play"),
@@ -49,7 +48,7 @@ constexpr ScenarioKey kKeys[] = {
 
     above("simulation", "frame", "s", 0, .02, "0.001", "length of a frame"),
     above("simulation", "duration", "s", 0, 1e7, "60.0", "simulated time of the run"),
-    whole("simulation", "seed", 0, 9223372036854775808.0, "1", "of all random numbers"),
+    whole("simulation", "seed", 0, kNoLimit, "1", "of all random numbers"),
     from("simulation", "pace", "1", 0, 100, "0.0",
          "0: as fast as it goes; p > 0: p simulated seconds a second of the wall clock"),
     above("simulation", "control_period", "s", 0, 1, "0.01", "between two steps of control software: whole frames"),
@@ -84,10 +83,12 @@ constexpr ScenarioKey kKeys[] = {
     plainKey("ball", "position", kPosition, "[0.0, 0.0]", "x, y and perhaps z of its lowest point at the start"),
     plainKey("ball", "colour", kColour, "[1.0, 0.4, 0.05]", ""),
 
-    wordKey(kPair, "law", "smooth paper", "\"smooth\"", "contact law"),
+    wordKey(kPair, "law", "smooth paper hunt_crossley", "\"smooth\"", "contact law"),
     above(kPair, "stiffness", "N/m", 0, 1e8, "", "s_c, of the whole contact of two bodies"),
     from(kPair, "restitution_factor", "1", 0, 1, "",
          "s_b, share of the stiffness that acts while separating; bounces with sqrt(s_b)"),
+    above(kPair, "blend_speed", "m/s", 0, 1, "0.02", "v_0 of `smooth`"),
+    from(kPair, "dissipation", "s/m", 0, 500, "0.6", "d of `hunt_crossley`"),
     from(kPair, "viscous_friction", "s/m", 0, 1e4, "0.0", "s_mu, force over normal force and speed"),
     from(kPair, "friction_coefficient", "1", 0, 10, "0.0", "mu of Coulomb friction, in place of s_mu"),
     above(kPair, "stick_speed", "m/s", 0, 1, "0.002", "v_s, below which Coulomb friction is viscous"),
@@ -166,7 +167,14 @@ std::string typeName(const ScenarioKey& key) {
 std::string interval(const ScenarioKey& key) {
   const std::string unit = key.unit == "1" || key.unit.empty() ? "" : fmt::format(" {}", key.unit);
   std::string out = fmt::format("{} {:g}", key.above_lower ? "more than" : "at least", key.lower);
+  if (key.upper == kNoLimit) return out + unit;
   return out + fmt::format(" and at most {:g}{}", key.upper, unit);
+}
+
+/// The range as [lower, upper]; ( and ) where the limit itself is outside.
+std::string bracket(const ScenarioKey& key) {
+  const std::string lower = fmt::format("{}{:g}", key.above_lower ? "(" : "[", key.lower);
+  return key.upper == kNoLimit ? lower + ", )" : lower + fmt::format(", {:g}]", key.upper);
 }
 
 }  // namespace
@@ -220,7 +228,7 @@ std::string expectation(const ScenarioKey& key) {
     case kPosition:
       return "[x, y] or [x, y, z] in m";
     case kColour:
-      return "[red, green, blue], each from 0 to 1, or \"#rrggbb\"";
+      return "[red, green, blue], each from 0 to 1";
     case kModule:
       return "a name in quotes or a table";
     case kTable:
@@ -239,9 +247,7 @@ std::string scenarioKeysAsMarkdown() {
                          section.empty() ? "Tables of a scenario" : fmt::format("`[{}]`", section));
     }
     const bool ranged = k.upper > k.lower;
-    const std::string range = k.kind == kWord ? fmt::format("{}", listWords(allowedWords(k)))
-                              : !ranged       ? ""
-                                        : fmt::format("{}{:g}, {:g}]", k.above_lower ? "(" : "[", k.lower, k.upper);
+    const std::string range = k.kind == kWord ? listWords(allowedWords(k)) : ranged ? bracket(k) : "";
     const std::string fallback = k.fallback.empty() ? "" : fmt::format("`{}`", k.fallback);
     out += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", k.key, typeName(k), range, k.unit, fallback, k.meaning);
   }

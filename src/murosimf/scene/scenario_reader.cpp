@@ -75,7 +75,7 @@ class ScenarioReader {
     reader.read("threads", s.threads);
     reader.read("lanes", s.lanes);
     if (*s.lanes != 0 && *s.lanes != 1 && *s.lanes != 4 && *s.lanes != 8)
-      problems_.error(s.lanes.where, fmt::format("lanes is number {}, expected 0, 1, 4 or 8", *s.lanes));
+      problems_.error(s.lanes.where, fmt::format("lanes is {}, expected 0, 1, 4 or 8", *s.lanes));
     checkWholeFrames("control_period", s.control_period);
     checkWholeFrames("control_delay", s.control_delay);
   }
@@ -115,7 +115,8 @@ class ScenarioReader {
       Located<std::string> goal;
       if (TableReader(table, "teams.TEAM", problems_).read("attacks", goal))
         team->attacks_positive_x = {*goal == "+x", goal.where};
-      if (table != nullptr && table->isTable()) readRobot(*table, RobotTable::kDefaults, file_, {"attacks"}, problems_);
+      if (table != nullptr && table->isTable())
+        readRobot(*table, RobotTable::kDefaults, "teams." + team->name, file_, {"attacks"}, problems_);
     }
     agreeOnGoals(scene_.red.attacks_positive_x, scene_.blue.attacks_positive_x);
   }
@@ -137,7 +138,7 @@ class ScenarioReader {
     refuseUnknownTeams(robots, {"red", "blue", "all"});
     const TableReader defaults(reader.child("all"), "robots.all", problems_);
     if (const TextNode* all = reader.child("all"); all != nullptr && all->isTable())
-      readRobot(*all, RobotTable::kDefaults, file_, {}, problems_);
+      readRobot(*all, RobotTable::kDefaults, "robots.all", file_, {}, problems_);
     for (const std::string& team : kTeamNames) readRobotsOf(team, reader.child(team));
     std::stable_sort(scene_.robots.begin(), scene_.robots.end(), [](const RobotSettings& a, const RobotSettings& b) {
       return a.team == b.team ? a.number < b.number : a.team == "red" && b.team == "blue";
@@ -174,7 +175,8 @@ class ScenarioReader {
 
   void readOneRobot(const std::string& team, int number, const std::string& key) {
     const TextNode table = layeredRobot(file_tree_, changes_, team, key);
-    RobotSettings robot = readRobot(table, RobotTable::kRobot, file_, {}, problems_);
+    RobotSettings robot =
+        readRobot(table, RobotTable::kRobot, fmt::format("robots.{}.{}", team, number), file_, {}, problems_);
     robot.team = team;
     robot.number = number;
     for (const ModuleChoice& module : robot.modules) {

@@ -109,12 +109,14 @@ void writeBall(ScenarioWriter& out, const BallSettings& b) {
   out.value("colour", b.colour);
 }
 
-void writeSurfaces(ScenarioWriter& out, const std::vector<SurfacePair>& pairs) {
-  for (const SurfacePair& p : pairs) {
+void writeSurfaces(ScenarioWriter& out, const std::vector<SurfacePairSettings>& pairs) {
+  for (const SurfacePairSettings& p : pairs) {
     out.table(fmt::format("surfaces.{}-{}", p.first, p.second));
     out.value("law", p.law);
     out.value("stiffness", p.stiffness);
     out.value("restitution_factor", p.restitution_factor);
+    out.value("blend_speed", p.blend_speed);
+    out.value("dissipation", p.dissipation);
     out.value("viscous_friction", p.viscous_friction);
     out.value("friction_coefficient", p.friction_coefficient);
     out.value("stick_speed", p.stick_speed);

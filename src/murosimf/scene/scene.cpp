@@ -25,9 +25,9 @@ client::FieldDescription fieldDescription(const Scene& scene) {
   return d;
 }
 
-const SurfacePair* findSurfacePair(const Scene& scene, std::string_view a, std::string_view b) {
+const SurfacePairSettings* findSurfacePair(const Scene& scene, std::string_view a, std::string_view b) {
   if (b < a) std::swap(a, b);
-  for (const SurfacePair& pair : scene.surfaces)
+  for (const SurfacePairSettings& pair : scene.surfaces)
     if (pair.first == a && pair.second == b) return &pair;
   return nullptr;
 }

@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "murosimf/algorithms/shape.h"
 #include "murosimf/control/client/robot_description.h"
 #include "murosimf/math/transform.h"
 #include "murosimf/math/vec3.h"
@@ -43,11 +44,6 @@ struct SimulationSettings {
   Located<int> lanes{0, {}};                 ///< 0: automatic; 1, 4, 8
 };
 
-struct Colour {
-  double red = 0, green = 0, blue = 0;  ///< 0..1
-  friend bool operator==(const Colour&, const Colour&) = default;
-};
-
 /// Measures are those of client::FieldDescription [m].
 struct FieldSettings {
   Located<std::string> preset{"2007", {}};
@@ -65,19 +61,22 @@ struct BallSettings {
   Located<double> mass{.205, {}};            ///< [kg]
   Located<double> inertia_factor{.667, {}};  ///< beta: I = beta m r^2
   Located<Vec3<double>> position;            ///< of the ball's lowest point in W [m]
-  Located<Colour> colour{{1.0, .40, .05}, {}};
+  Located<Colour> colour{{1.0F, .40F, .05F}, {}};
 };
 
-/// How two surfaces touch. `first` <= `second` in the order of letters. See docs/scenario_format.md.
-struct SurfacePair {
+/// How two surfaces touch: the constants of algorithms/surface_pair.h. `first` <= `second` in the order of letters.
+/// Friction is Coulomb where friction_coefficient > 0 (viscous_friction is 0 then), else viscous.
+struct SurfacePairSettings {
   std::string first, second;
   SourceLocation where;                    ///< empty: of the built-in table
-  Located<std::string> law{"smooth", {}};  ///< "smooth" or "paper"
+  Located<std::string> law{"smooth", {}};  ///< "smooth", "paper" or "hunt_crossley"
   Located<double> stiffness;               ///< s_c [N/m]
-  Located<double> restitution_factor;      ///< s_b [1]: share of the stiffness while separating
-  Located<double> viscous_friction;        ///< s_mu [s/m]; 0 where friction_coefficient > 0
-  Located<double> friction_coefficient;    ///< mu [1]; > 0: Coulomb instead of viscous friction
-  Located<double> stick_speed{.002, {}};   ///< v_s [m/s]: Coulomb friction is viscous below
+  Located<double> restitution_factor;      ///< s_b [1]: `smooth` and `paper`
+  Located<double> blend_speed{.02, {}};    ///< v_0 [m/s]: `smooth`
+  Located<double> dissipation{.6, {}};     ///< d [s/m]: `hunt_crossley`
+  Located<double> viscous_friction;        ///< s_mu [s/m]
+  Located<double> friction_coefficient;    ///< mu [1]
+  Located<double> stick_speed{.002, {}};   ///< v_s [m/s]
   Located<double> turning_friction;        ///< s_nu [m s]
   Located<double> rolling_resistance;      ///< c_rr [1]
 };
@@ -126,7 +125,7 @@ struct Scene {
   SimulationSettings simulation;
   FieldSettings field;
   BallSettings ball;
-  std::vector<SurfacePair> surfaces;  ///< built-in table and the scenario's changes, sorted by (first, second)
+  std::vector<SurfacePairSettings> surfaces;  ///< built-in table and the scenario's changes, sorted by (first, second)
   TeamSettings red{"red", {true, {}}}, blue{"blue", {false, {}}};
   std::vector<RobotSettings> robots;  ///< red before blue, then by number
   RefereeSettings referee;
@@ -136,6 +135,6 @@ struct Scene {
 /// What both teams measure before the game.
 client::FieldDescription fieldDescription(const Scene& scene);
 /// The pair of two surfaces in either order, or nullptr.
-const SurfacePair* findSurfacePair(const Scene& scene, std::string_view a, std::string_view b);
+const SurfacePairSettings* findSurfacePair(const Scene& scene, std::string_view a, std::string_view b);
 
 }  // namespace murosimf

@@ -25,23 +25,15 @@ std::string withUnit(const TextNode& node, const ScenarioKey& key) {
   return key.unit.empty() || key.unit == "1" ? describe(node) : fmt::format("{} {}", describe(node), key.unit);
 }
 
-std::optional<Colour> parseHexColour(const std::string& text) {
-  if (text.size() != 7 || text[0] != '#') return std::nullopt;
-  std::array<double, 3> channels{};
-  for (std::size_t i = 0; i < 6; ++i) {
-    const std::size_t digit = std::string_view("0123456789abcdef").find(static_cast<char>(text[i + 1] | 0x20));
-    if (digit == std::string_view::npos || text[i + 1] < '0') return std::nullopt;
-    channels[i / 2] = channels[i / 2] * 16 + static_cast<double>(digit);
-  }
-  return Colour{channels[0] / 255, channels[1] / 255, channels[2] / 255};
-}
-
 }  // namespace
 
-TableReader::TableReader(const TextNode* table, std::string_view section, Diagnostics& diagnostics)
-    : table_(table), section_(section), diagnostics_(diagnostics) {
-  if (table == nullptr || table->isTable()) return;
-  diagnostics_.error(table->where, fmt::format("{} is {}, expected a table", printable(table->key), describe(*table)));
+TableReader::TableReader(const TextNode* table, std::string_view section, Diagnostics& diagnostics,
+                         std::string_view name)
+    : table_(table), section_(section), name_(name), diagnostics_(diagnostics) {
+  if (table == nullptr) return;
+  if (name_.empty()) name_ = printable(table->key);
+  if (table->isTable()) return;
+  diagnostics_.error(table->where, fmt::format("{} is {}, expected a table", name_, describe(*table)));
   table_ = nullptr;
 }
 
@@ -109,20 +101,14 @@ bool TableReader::read(std::string_view key, Located<Colour>& target) const {
   const TextNode* node = child(key);
   if (node == nullptr) return false;
   const ScenarioKey& known = keyOf(section_, key);
-  if (const std::optional<std::string> text = readText(*node)) {
-    const std::optional<Colour> colour = parseHexColour(*text);
-    if (!colour) return fail(*node, known);
-    target = {*colour, node->where};
-    return true;
-  }
   if (node->kind != TextNode::Kind::kArray || node->children.size() != 3) return fail(*node, known);
-  std::array<double, 3> channels{};
+  std::array<float, 3> channels{};
   for (std::size_t i = 0; i < 3; ++i) {
     const TextNode& part = node->children[i];
     const auto value = readNumber(part, fmt::format("a value of {}", key), "a number from 0 to 1", false, diagnostics_);
     if (!value) return false;
     if (!(*value >= 0 && *value <= 1)) return fail(part, known);
-    channels[i] = *value;
+    channels[i] = static_cast<float>(*value);
   }
   target = {{channels[0], channels[1], channels[2]}, node->where};
   return true;
@@ -186,15 +172,18 @@ bool TableReader::read(std::string_view key, Located<Vec3<double>>& target) cons
 }
 
 void TableReader::refuseUnknownKeys(const std::vector<std::string>& more) const {
+  constexpr std::size_t kFewKeys = 8;
   if (table_ == nullptr) return;
   std::vector<std::string> known = keysOfSection(section_);
   known.insert(known.end(), more.begin(), more.end());
   for (const TextNode& c : table_->children) {
     if (std::find(known.begin(), known.end(), c.key) != known.end()) continue;
     const std::string hint = didYouMean(c.key, known);
-    const std::string in = table_->key.empty() ? "" : fmt::format(" in {}", printable(table_->key));
-    diagnostics_.error(
-        c.key_where, fmt::format("unknown key \"{}\"{}, expected {}{}", printable(c.key), in, listWords(known), hint));
+    const std::string in = name_.empty() ? "" : " in " + name_;
+    const bool tell_all = hint.empty() || known.size() <= kFewKeys;
+    const std::string expected = tell_all ? listWords(known) : fmt::format("one of its {} keys", known.size());
+    diagnostics_.error(c.key_where,
+                       fmt::format("unknown key \"{}\"{}, expected {}{}", printable(c.key), in, expected, hint));
   }
 }
 

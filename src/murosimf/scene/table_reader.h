@@ -18,8 +18,9 @@ namespace murosimf {
 /// A key that is absent leaves its target as it is; one that is wrong is reported and leaves it too.
 class TableReader {
  public:
+  /// @param name of the table in messages; default: its key
   /// @param section as in scenario_keys.h. A table of nullptr reads as empty; a node that is no table is reported.
-  TableReader(const TextNode* table, std::string_view section, Diagnostics& diagnostics);
+  TableReader(const TextNode* table, std::string_view section, Diagnostics& diagnostics, std::string_view name = "");
 
   /// @return true when the key was there and right
   bool read(std::string_view key, Located<double>& target) const;
@@ -41,6 +42,7 @@ class TableReader {
 
   const TextNode* table_;
   std::string_view section_;
+  std::string name_;
   Diagnostics& diagnostics_;
 };
 

@@ -50,9 +50,9 @@ std::string describe(const TextNode& node) {
     case TextNode::Kind::kBool:
       return std::get<bool>(node.scalar) ? "true" : "false";
     case TextNode::Kind::kInteger:
-      return fmt::format("number {}", std::get<std::int64_t>(node.scalar));
+      return fmt::format("{}", std::get<std::int64_t>(node.scalar));
     case TextNode::Kind::kNumber:
-      return fmt::format("number {}", std::get<double>(node.scalar));
+      return fmt::format("{}", std::get<double>(node.scalar));
     case TextNode::Kind::kText:
       return fmt::format("text \"{}\"", printable(std::get<std::string>(node.scalar)));
     case TextNode::Kind::kDate:
@@ -130,9 +130,57 @@ class TreeCopier {
   bool too_deep_ = false;
 };
 
+/// What stands at a place and after it in the same line. Columns count characters, not bytes.
+std::string_view restOfLine(std::string_view text, const SourceLocation& where) {
+  for (int line = 1; line < where.line; ++line) {
+    const std::size_t end = text.find('\n');
+    if (end == text.npos) return {};
+    text.remove_prefix(end + 1);
+  }
+  text = text.substr(0, text.find('\n'));
+  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; };
+  for (int column = 1; column < where.column && !text.empty(); ++column) {
+    text.remove_prefix(1);
+    while (!text.empty() && continues(text.front())) text.remove_prefix(1);
+  }
+  return text;
+}
+
+/// Bytes of the UTF-8 character at the start of a text, 0 when there is none. [RFC 3629, section 4]
+std::size_t characterLength(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+  const unsigned first = byte(0), second = byte(1);
+  if (first < 0x80) return 1;
+  if (first < 0xc2 || first > 0xf4) return 0;
+  const std::size_t length = first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+  const bool overlong = (first == 0xe0 && second < 0xa0) || (first == 0xf0 && second < 0x90);
+  const bool outside = (first == 0xed && second > 0x9f) || (first == 0xf4 && second > 0x8f);
+  return overlong || outside ? 0 : length;
+}
+
+/// Reports the first byte that no text has. The parser would report the last good character before it.
+bool isText(std::string_view text, const std::string& file, Diagnostics& diagnostics) {
+  SourceLocation where{file, 1, 1};
+  for (std::size_t length = 0; !text.empty(); text.remove_prefix(length)) {
+    length = characterLength(text);
+    if (length == 0) {
+      diagnostics.error(where, fmt::format("byte 0x{:02x} is not UTF-8, expected a text file (TOML)",
+                                           static_cast<unsigned char>(text.front())));
+      return false;
+    }
+    const bool new_line = text.front() == '\n';
+    where.line += new_line ? 1 : 0;
+    where.column = new_line ? 1 : where.column + 1;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::optional<TextNode> parseToml(std::string_view text, const std::string& file, Diagnostics& diagnostics) {
+  if (!isText(text, file, diagnostics)) return std::nullopt;
   const int errors_before = diagnostics.errorCount();
   try {
     const toml::table table = toml::parse(text, file);
@@ -145,7 +193,9 @@ std::optional<TextNode> parseToml(std::string_view text, const std::string& file
     std::string words = fmt::format("this is not TOML: {}", error.description());
     for (char& c : words)
       if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-    diagnostics.error(where, words);
+    const std::string_view rest = restOfLine(text, where);
+    const std::string found = rest.empty() ? "the end of the line" : fmt::format("\"{}\"", printable(rest));
+    diagnostics.error(where, fmt::format("{}, at {}", words, found));
     return std::nullopt;
   }
 }

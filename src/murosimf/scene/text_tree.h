@@ -42,7 +42,7 @@ std::optional<TextNode> parseToml(std::string_view text, const std::string& file
 /// Lays `upper` over `lower`: tables are joined key by key, everything else is replaced.
 void layOver(TextNode& lower, const TextNode& upper);
 
-/// The value as messages name it: `number 3.5`, `text "abc"`, `an array of 2 values`, `a table`.
+/// The value as messages name it: `3.5`, `text "abc"`, `an array of 2 values`, `a table`.
 std::string describe(const TextNode& node);
 
 /// A text shortened and with its control characters replaced, fit to stand in a one-line message.
