@@ -14,9 +14,11 @@ constexpr double kLineGate = 7;          // the same for the offset of a line po
 constexpr double kAmbiguity = 4;         // squared error by which the second best name must be worse
 constexpr double kDoubtStep = 0.3;       // weight of one sight in the running share of failures
 constexpr double kDoubtful = 0.4;        // share above which new hypotheses are sought: two failures in a row
-constexpr double kEntryWeight = -4;      // logarithm of the weight of a new hypothesis against the best
-constexpr double kSmallestWeight = -10;  // below it a hypothesis is dropped
+constexpr double kEntryWeight = -10;     // logarithm of the weight of a new hypothesis against the best
+constexpr double kSmallestWeight = -16;  // below it a hypothesis is dropped
 constexpr double kIndependentLines = 3;  // as many line points of one picture count fully: they share errors
+constexpr double kBearingSway = 0.015;   // of landmarks, beside the deviation that vision claims [rad]
+constexpr double kDistanceSway = 0.03;   // the same, per metre of distance
 constexpr double kFarthest = 15;         // no field is seen farther [m]
 
 bool plausible(const LandmarkPercept& percept) {
@@ -28,6 +30,18 @@ bool plausible(const LandmarkPercept& percept) {
 bool plausible(const LinePercept& percept) {
   const double squared = percept.x * percept.x + percept.y * percept.y;
   return squared > 1e-4 && squared < kFarthest * kFarthest && std::fabs(percept.normal) < 100;
+}
+
+/// What vision claims, plus what it cannot know: sway of the body under the camera.
+LandmarkSight sightOf(LandmarkKind kind, const LandmarkPercept& percept) {
+  const double bearing = percept.bearing_deviation, distance = percept.distance_deviation;
+  const double sway = kDistanceSway * percept.distance;
+  return {kind,
+          percept.colour,
+          wrapAngle(percept.bearing),
+          percept.distance,
+          bearing * bearing + kBearingSway * kBearingSway,
+          distance * distance + 4e-4 + sway * sway};
 }
 
 /// Variance of a line point across the line: its distance suffers from the camera's tilt, its direction does not.
@@ -75,13 +89,7 @@ void Localisation::observe(const Percepts& percepts) {
 
 void Localisation::observeLandmark(LandmarkKind kind, const LandmarkPercept& percept) {
   if (!plausible(percept) || map_.landmarks(kind, percept.colour).empty()) return;
-  const double bearing = percept.bearing_deviation, distance = percept.distance_deviation;
-  const LandmarkSight sight{kind,
-                            percept.colour,
-                            wrapAngle(percept.bearing),
-                            percept.distance,
-                            std::max(bearing * bearing, 1e-4),
-                            std::max(distance * distance, 4e-4)};
+  const LandmarkSight sight = sightOf(kind, percept);
   for (PoseBelief& belief : std::span(beliefs_).first(count_)) judge(belief, sight);
   if (beliefs_[0].doubt > kDoubtful) propose(sight);
   memory_.add(sight);

@@ -20,11 +20,11 @@ inline double direction(const Point& a) { return atan2(a.y, a.x); }
 
 /// v turned to the left by an angle whose sine and cosine are given.
 inline Point turned(const SinCos<double>& angle, const Point& v) {
-  return {angle.cos * v.x - angle.sin * v.y, angle.sin * v.x + angle.cos * v.y};
+  return {fnma(angle.sin, v.y, angle.cos * v.x), fma(angle.cos, v.y, angle.sin * v.x)};
 }
 /// v turned to the right by it.
 inline Point turnedBack(const SinCos<double>& angle, const Point& v) {
-  return {angle.cos * v.x + angle.sin * v.y, angle.cos * v.y - angle.sin * v.x};
+  return {fma(angle.sin, v.y, angle.cos * v.x), fnma(angle.sin, v.x, angle.cos * v.y)};
 }
 
 /// p_A of the point p_B.

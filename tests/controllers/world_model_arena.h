@@ -38,13 +38,16 @@ struct PerceptNoise {
   double line_normal = 0.15;                     ///< [rad]
   double false_share = 0.03;                     ///< of percepts that are inventions
   double missed_share = 0.2;                     ///< of landmarks in view that are not found
+  double tilt = 0, tilt_sway = 0;                ///< error of the camera's tilt: lasting, and swaying [rad]
+  std::size_t most_lines = 14;                   ///< line points of a picture
 };
 
 class Arena {
  public:
-  static constexpr double kStep = 0.01;      ///< control period [s]
-  static constexpr int kStepsPerLook = 5;    ///< 20 pictures a second
-  static constexpr double kHalfView = 0.52;  ///< half field of view [rad]: 30 degrees
+  static constexpr double kStep = 0.01;       ///< control period [s]
+  static constexpr int kStepsPerLook = 5;     ///< 20 pictures a second
+  static constexpr double kEyeHeight = 0.43;  ///< of the camera [m]
+  static constexpr double kHalfView = 0.52;   ///< half field of view [rad]: 30 degrees
 
   Arena(const std::string& team, std::uint64_t seed) : robot(robotOfTeam(team)), random_(seed, "arena", 1) {
     const double turn = robot.attacks_positive_x ? 1 : -1;
@@ -65,6 +68,7 @@ class Arena {
   double turn_slip = 0;         ///< the same for turning
   double head_amplitude = 1.2;  ///< of the sweep [rad]
   bool blocked = false;         ///< the feet move, the robot does not
+  double glance_period = 0;     ///< landmarks are in view for 0.8 s of so many seconds; 0: always
   double speed = 0.15;          ///< of the walk [m/s]
   double time = 0;
 
@@ -88,6 +92,12 @@ class Arena {
     return odometry;
   }
   bool looks() const { return static_cast<long>(time / kStep + 0.5) % kStepsPerLook == 0; }
+  /// Distance of a point of the ground that is seen from kEyeHeight, its ray tilted by the error.
+  double tilted(double distance) const {
+    const double error = noise.tilt + noise.tilt_sway * sin(2 * kPi * time / 0.52);
+    return distance + error * (distance * distance + kEyeHeight * kEyeHeight) / kEyeHeight;
+  }
+  bool glances() const { return glance_period <= 0 || time - glance_period * std::floor(time / glance_period) < 0.8; }
   double gaze() const { return head_amplitude * sin(2 * kPi * time / 3); }
 
   Percepts look() {
@@ -95,7 +105,7 @@ class Arena {
     for (const Mark& post : posts_) seeMark(post, percepts.posts);
     for (const Mark& pole : poles_) seeMark(pole, percepts.poles);
     if (uniform(0, 1) < noise.false_share) inventMark(uniform(0, 1) < 0.5 ? percepts.posts : percepts.poles);
-    for (int i = 0; i < 60 && percepts.lines.size() < 14; ++i) seeLinePoint(percepts.lines);
+    for (int i = 0; i < 60 && percepts.lines.size() < noise.most_lines; ++i) seeLinePoint(percepts.lines);
     return percepts;
   }
 
@@ -126,12 +136,12 @@ class Arena {
   void seeMark(const Mark& mark, std::vector<LandmarkPercept>& percepts) {
     const Point p_R = transformedBack(truth, mark.p_F);
     const double distance = norm(p_R);
-    if (!inView(p_R) || distance < 0.3 || uniform(0, 1) < noise.missed_share) return;
+    if (!inView(p_R) || !glances() || distance < 0.3 || uniform(0, 1) < noise.missed_share) return;
     if (uniform(0, 1) < noise.false_share) return inventMark(percepts);
     LandmarkPercept percept;
     percept.colour = mark.colour;
     percept.bearing = direction(p_R) + normal(noise.bearing);
-    percept.distance = distance * std::max(0.3, 1 + normal(noise.distance));
+    percept.distance = tilted(distance) * std::max(0.3, 1 + normal(noise.distance));
     percept.bearing_deviation = 0.02, percept.distance_deviation = 0.03 + 0.08 * percept.distance;
     percepts.push_back(percept);
   }
@@ -157,13 +167,14 @@ class Arena {
     }
     const Point p_R = transformedBack(truth, p_F);
     const double distance = norm(p_R);
-    if (!inView(p_R) || distance < 0.25 || distance > 2.5) return;
+    if (!inView(p_R) || distance < 0.25 || distance > (glances() ? 2.5 : 1.2)) return;
+    const double scale = tilted(distance) / distance;
     const double deviation = noise.line + noise.line_per_distance * distance;
     const double across = direction(along) - truth.heading + 0.5 * kPi + normal(noise.line_normal);
     if (uniform(0, 1) < noise.false_share)
       percepts.push_back({p_R.x + uniform(-0.8, 0.8), p_R.y + uniform(-0.8, 0.8), uniform(-kPi, kPi)});
     else
-      percepts.push_back({p_R.x + normal(deviation), p_R.y + normal(deviation), across});
+      percepts.push_back({scale * p_R.x + normal(deviation), scale * p_R.y + normal(deviation), across});
   }
 
   RandomStream random_;

@@ -57,10 +57,32 @@ TEST(Localisation, TwiceTheNoiseAndATenthOfFalsePerceptsLeaveTheMedianBelowATent
   EXPECT_LT(median(errors.heading), 5 * kDegree);
 }
 
+TEST(Localisation, GlancesFromASwayingBodySuffice) {
+  const Errors errors = gamesWith([](Arena& arena) {
+    arena.glance_period = 4, arena.head_amplitude = 0.8;  // else the head watches the ball: only near lines are seen
+    arena.noise.tilt = arena.uniform(-0.01, 0.01), arena.noise.tilt_sway = 0.015;
+  });
+  EXPECT_LT(median(errors.position), 0.08);
+  EXPECT_LT(quantile(errors.position, 0.9), 0.15);
+  EXPECT_LT(median(errors.heading), 3 * kDegree);
+}
+
+TEST(Localisation, FeetThatSlipByFortyPercentAreNoticed) {
+  const Errors errors = gamesWith([](Arena& arena) { arena.slip = arena.turn_slip = 0.4; });
+  EXPECT_LT(quantile(errors.position, 0.9), 0.10);
+  EXPECT_LT(quantile(errors.heading, 0.9), 4 * kDegree);
+}
+
 TEST(Localisation, BlockedRobotIsNotCarriedAwayByItsOdometry) {
   const Errors errors = gamesWith([](Arena& arena) { arena.blocked = true; });
   EXPECT_LT(quantile(errors.position, 0.9), 0.15);
   EXPECT_LT(quantile(errors.heading, 0.9), 6 * kDegree);
+}
+
+TEST(Localisation, FalsePerceptsNeverThrowItAcrossTheField) {
+  const Errors errors = gamesWith([](Arena& arena) { arena.noise.false_share = 0.1; });
+  EXPECT_LT(quantile(errors.position, 1), 0.5);
+  EXPECT_LT(quantile(errors.heading, 1), 30 * kDegree);
 }
 
 TEST(Localisation, RobotCarriedAwayFindsItselfAgainWithinFiveSeconds) {
