@@ -14,6 +14,8 @@ set(CMAKE_CXX_FLAGS_DEBUG "-Og -g -fno-omit-frame-pointer")
 
 set(murosimf_warnings -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor
     -Wold-style-cast -Wno-psabi -Werror)
+# Templates over scalar and lanes write a & b where a and b may be plain bool: no branch, on purpose.
+set(murosimf_clang_warnings -Wno-bitwise-instead-of-logical)
 # What whoever includes our headers needs as well, for the same bits and the same layout of lanes.
 set(murosimf_public_flags -march=x86-64-v3 -ffp-contract=off -fno-tree-slp-vectorize)
 set(murosimf_kernel_flags -O3 -fno-tree-slp-vectorize -fno-math-errno)
@@ -40,5 +42,5 @@ endif()
 
 # murosimf_flags(target): what every target of ours is compiled with.
 function(murosimf_flags target)
-  target_compile_options(${target} PRIVATE ${murosimf_warnings})
+  target_compile_options(${target} PRIVATE ${murosimf_warnings} $<$<CXX_COMPILER_ID:Clang>:${murosimf_clang_warnings}>)
 endfunction()

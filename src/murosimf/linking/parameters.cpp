@@ -21,7 +21,8 @@ ParameterValues resolveParameters(std::string_view module, const std::vector<Par
   ParameterValues values;
   for (const ParameterInfo& info : known) values.values_.emplace(info.name, info.initial);
   for (const auto& [name, parameter] : written) {
-    const auto info = std::find_if(known.begin(), known.end(), [&](const ParameterInfo& k) { return k.name == name; });
+    const auto info =
+        std::find_if(known.begin(), known.end(), [&wanted = name](const ParameterInfo& k) { return k.name == wanted; });
     if (info == known.end()) {
       diagnostics.error(parameter.where,
                         fmt::format("module {} has no parameter \"{}\"; it knows {}{}", module, name,
