@@ -51,6 +51,7 @@ void sortByDeviation(std::vector<BallPercept>& balls) {
 
 void Vision::start(const client::RobotDescription& robot) {
   field_ = robot.field;
+  landmarks_.start();
   cameras_.clear();
   cameras_.resize(robot.cameras.size());
   for (std::size_t i = 0; i < cameras_.size(); ++i) {

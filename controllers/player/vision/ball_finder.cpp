@@ -111,7 +111,7 @@ double orangeShare(const PictureView& view, const PixelPoint& centre, double rad
   int seen = 0, orange = 0;
   for (int i = 0; i < 36; ++i) {
     const SinCos<double> direction = sincos(2 * kPi / 12 * i + 0.2);
-    const double r = radius * (i < 12 ? 0.3 : i < 24 ? 0.6 : 0.85);
+    const double r = radius * (i < 12 ? 0.3 : i < 24 ? 0.55 : 0.8);
     const int u = static_cast<int>(centre.u + r * direction.cos + 0.5);
     const int v = static_cast<int>(centre.v + r * direction.sin + 0.5);
     if (!view.inside(u, v)) continue;
@@ -123,6 +123,15 @@ double orangeShare(const PictureView& view, const PixelPoint& centre, double rad
 
 PixelPoint pixelOf(const PictureView& view, const Vector3& ray_C) {
   return toPixel(*view.description, {ray_C.x / ray_C.z, ray_C.y / ray_C.z});
+}
+
+/// Radius of the circle that covers as much of the picture as the cone: in the plane before the camera the cone's cut
+/// is longer by 1 / cos^2 along the way from the axis and by 1 / cos across it; the lens scales areas by its Jacobian.
+double radiusInPixels(const PictureView& view, const Cone& cone) {
+  const Vector3& c = cone.axis_C;
+  const DistortedPoint lens = distort(view.description->kc, {c.x / c.z, c.y / c.z});
+  const double area = lens.da_da * lens.db_db - lens.da_db * lens.da_db;
+  return cone.sine / c.z * sqrt(std::max(0.01, area) / c.z) * view.description->fx;
 }
 
 /// The fitted ball in the picture.
@@ -146,9 +155,7 @@ std::optional<Disc> measureDisc(const PictureView& view, PixelPoint seed, int re
     if (!cone || cone->axis_C.z < 0.1) return std::nullopt;
   }
   Disc disc{*cone, pixelOf(view, cone->axis_C), 0, static_cast<double>(outline.on_field) / kSpokes, 0};
-  // At the border of a wide lens a pixel is a larger angle; the sine over the local angle of a pixel is the radius.
-  const PlanePoint p = view.rays->ray(disc.centre.u, disc.centre.v);
-  disc.radius = cone->sine * view.description->fx * sqrt(1 + p.a * p.a + p.b * p.b);
+  disc.radius = radiusInPixels(view, *cone);
   disc.orange = orangeShare(view, disc.centre, disc.radius);
   return disc;
 }
@@ -157,6 +164,7 @@ std::optional<Disc> measureDisc(const PictureView& view, PixelPoint seed, int re
 bool looksLikeBall(const Disc& disc, double pixel_angle) {
   if (disc.cone.used < 9 || disc.on_field < 0.25) return false;
   const bool whole = disc.cone.used >= 18;
+  if (!whole && disc.radius < 5) return false;  // too little to measure
   const double roundness = std::max(0.08 * disc.cone.sine, 0.7 * pixel_angle);
   return disc.cone.deviation < roundness && disc.orange > (whole ? 0.75 : 0.6);
 }

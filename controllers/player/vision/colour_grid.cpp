@@ -5,8 +5,6 @@
 namespace murosimf::controllers {
 namespace {
 
-constexpr std::size_t kMostRuns = 4096;
-
 bool isCarpetOrGrey(Colour c) { return c == Colour::kOther || c == Colour::kGreen || c == Colour::kWhite; }
 
 }  // namespace

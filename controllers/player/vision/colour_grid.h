@@ -31,6 +31,8 @@ struct Region {
 
 class ColourGrid {
  public:
+  static constexpr std::size_t kMostRuns = 4096;  ///< a picture; further ones are left out
+
   /// Reserves what pictures of this size need.
   void start(int width, int height);
   /// Classifies the grid, then finds runs and regions of orange, yellow, blue, magenta and cyan.

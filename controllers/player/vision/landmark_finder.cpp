@@ -8,7 +8,10 @@
 namespace murosimf::controllers {
 namespace {
 
-constexpr double kNearest = 0.25, kFarthest = 8;  ///< distances that make sense on a field [m]
+constexpr double kNearest = 0.25;    ///< a landmark nearer than that would stand on the robot's feet [m]
+constexpr double kLeastPost = 0.25;  ///< what must be seen of a post's height [m]
+
+double squared(double x) { return x * x; }
 
 /// The bars of one pole, from the top.
 struct Stack {
@@ -22,7 +25,7 @@ bool sitsBelow(const Bar& upper, const Bar& lower) {
   if (upper.colour == lower.colour || lower.top - upper.bottom > 3 || lower.top < upper.bottom - 1) return false;
   const double width = std::max(upper.mean_width, lower.mean_width),
                other = std::min(upper.mean_width, lower.mean_width);
-  return abs(upper.centre(upper.bottom) - lower.centre(lower.top)) < 0.4 * width + 0.5 && width < 1.5 * other + 1.5;
+  return abs(upper.bottom_centre - lower.top_centre) < 0.4 * width + 0.5 && width < 1.5 * other + 1.5;
 }
 
 const Bar* below(const Bar& upper, std::span<const Bar> bars) {
@@ -51,8 +54,8 @@ LandmarkColour opposite(LandmarkColour c) {
 double heightTolerance(const Upright& upright) { return 0.06 + 0.05 * upright.distance.value; }
 
 PixelPoint jointOf(const ColourGrid& grid, const Bar& upper, const Bar& lower) {
-  const double row = 0.5 * (upper.bottom + lower.top);
-  return {lower.centre(row) * grid.step() + grid.step() / 2, row * grid.step() + grid.step() / 2};
+  const PixelPoint a = bottomOf(grid, upper), b = topOf(grid, lower);
+  return {0.5 * (a.u + b.u), 0.5 * (a.v + b.v)};
 }
 
 /// Colour of the top segment. With two segments in sight it is open whether they are the upper or the lower two: a
@@ -80,50 +83,106 @@ void report(const PictureView& view, const Upright& upright, LandmarkColour colo
   percept.colour = colour;
   percept.bearing = atan2(y, x);
   percept.distance = sqrt(x * x + y * y);
-  percept.bearing_deviation = 0.01 + 1 / view.description->fx;
+  percept.bearing_deviation = upright.azimuth_deviation;
   percept.distance_deviation = upright.distance.deviation;
   percept.foot_seen = upright.foot_seen;
   list.push_back(percept);
   out.drawn.push_back({kind, view.camera, upright.lowest.u, upright.lowest.v, upright.half_width, percept.distance});
 }
 
-bool plausibleDistance(const Upright& upright) {
-  return upright.distance.value > kNearest && upright.distance.value < kFarthest;
+/// A landmark cannot be farther away than the field's corners are from each other, and a little.
+bool plausibleDistance(const Upright& upright, const client::FieldDescription& field) {
+  const double x = field.length + 2 * field.border, y = field.width + 2 * field.border;
+  return upright.distance.value > kNearest && squared(upright.distance.value) < 1.1 * (x * x + y * y);
 }
 
-void examinePole(const PictureView& view, const ColourGrid& grid, const Stack& stack,
-                 const client::FieldDescription& field, Percepts& out) {
-  const std::optional<Upright> upright = measureUpright(view, grid, stack.span(), field.pole_radius);
-  if (!upright || !plausibleDistance(*upright)) return;
-  const auto colour = topColour(view, grid, stack, *upright, field.pole_height);
-  if (colour) report(view, *upright, *colour, client::Percept::Kind::kPole, out.poles, out);
+/// Distance by the angle between two places of the axis that are `rise` apart; a tilt of the camera matters little.
+Estimate byRise(const PictureView& view, const PixelPoint& upper, const PixelPoint& lower, double rise, double step) {
+  const double slope = std::max(1e-3, slopeAt(view, upper) - slopeAt(view, lower));
+  return {rise / slope, rise / slope * (0.02 + 0.4 * step / view.description->fy / slope)};
+}
+
+/// Whether a segment that shows from end to end is as high as the width says. Without such a segment only a foot that
+/// goes with the width tells that nothing covers a side.
+bool confirmed(const PictureView& view, const ColourGrid& grid, const Stack& stack, const Upright& upright,
+               double pole_height) {
+  if (upright.foot_seen) return true;
+  const double rise = pole_height / 3;
+  const PixelPoint joint = jointOf(grid, *stack.bars[0], *stack.bars[1]);
+  if (!upright.cut_above) {
+    return agree(byRise(view, upright.highest, joint, rise, grid.step()), upright.distance);
+  }
+  if (stack.count < 3) return false;
+  const PixelPoint lower = jointOf(grid, *stack.bars[1], *stack.bars[2]);
+  return agree(byRise(view, joint, lower, rise, grid.step()), upright.distance);
+}
+
+void examinePole(const Sight& sight, const Stack& stack, const client::FieldDescription& field, Percepts& out) {
+  const std::optional<Upright> upright = measureUpright(sight, stack.span(), field.pole_radius);
+  if (!upright || !plausibleDistance(*upright, field)) return;
+  if (!confirmed(sight.view, sight.grid, stack, *upright, field.pole_height)) return;
+  const auto colour = topColour(sight.view, sight.grid, stack, *upright, field.pole_height);
+  if (colour) report(sight.view, *upright, *colour, client::Percept::Kind::kPole, out.poles, out);
+}
+
+/// Distance by the top, just below the crossbar's middle; which is known to .06 m only.
+Estimate byTop(const PictureView& view, const Upright& upright, double goal_height) {
+  const double rise = goal_height - view.X_RC.translation.z, slope = slopeAt(view, upright.highest);
+  if (rise < 0.05) return {upright.distance.value, 1e3};
+  const double distance = rise / std::max(slope, 0.01);  // a top below the horizon is not a post's
+  return {distance, groundDeviation(distance, rise, view.description->fx) + distance * 0.06 / rise};
 }
 
 /// Both ends where a post's ends must be: on the ground and at the crossbar, unless something hides them.
 bool endsLikePost(const PictureView& view, const Upright& upright, double goal_height) {
-  const double tolerance = heightTolerance(upright) + 0.06;
-  const double top = heightAt(view, upright, upright.highest), bottom = heightAt(view, upright, upright.lowest);
+  const double tolerance = heightTolerance(upright), bottom = heightAt(view, upright, upright.lowest);
   const bool hidden_below = upright.below == Colour::kOther || upright.below == Colour::kMagenta ||
                             upright.below == Colour::kCyan || upright.below == Colour::kOrange;
-  if (!upright.cut_above && abs(top - goal_height) > tolerance + 0.1) return false;
   if (!upright.cut_below && !hidden_below && abs(bottom) > tolerance) return false;
-  return bottom < 0.6 * goal_height && bottom > -tolerance && top < goal_height + tolerance + 0.1;
+  const double top = heightAt(view, upright, upright.highest);
+  return bottom < 0.6 * goal_height && bottom > -tolerance && top < goal_height + tolerance + 0.15 &&
+         top - bottom > kLeastPost;
 }
 
-void examinePost(const PictureView& view, const ColourGrid& grid, const Bar& bar, const client::FieldDescription& field,
+/// Whether the bar goes on above in the same colour at another width: then it is the lower part of a partly covered
+/// post. The crossbar's runs are wider than it is high.
+bool isLowerPart(const Bar& bar, std::span<const Bar> bars) {
+  for (const Bar& other : bars) {
+    if (&other == &bar || other.colour != bar.colour || other.runs < 3 || other.height() < other.mean_width) continue;
+    const bool touches = other.bottom < bar.bottom && other.bottom >= bar.top - 3 && other.top < bar.top;
+    const double apart = abs(other.bottom_centre - bar.top_centre);
+    if (touches && apart < 0.5 * (other.mean_width + bar.mean_width) + 1) return true;
+  }
+  return false;
+}
+
+/// Without a foot, nothing but the top tells whether the width is that of a whole post. With one the top may be a bad
+/// measure still: where bars meet in the picture it is not the crossbar's.
+bool weighTop(const Sight& sight, const Bar& bar, std::span<const Bar> bars, double goal_height, Upright& upright) {
+  if (!upright.foot_seen && isLowerPart(bar, bars)) return false;
+  if (upright.cut_above) return true;
+  const Estimate top = byTop(sight.view, upright, goal_height);
+  const bool agreed = agree(top, upright.distance);
+  if (agreed) upright.distance = fuse(upright.distance, top);
+  return agreed || upright.foot_seen;
+}
+
+void examinePost(const Sight& sight, const Bar& bar, std::span<const Bar> all, const client::FieldDescription& field,
                  Percepts& out) {
   if (bar.runs < 3 || bar.height() < 2.2 * bar.mean_width) return;
   const Bar* const bars[] = {&bar};
-  const std::optional<Upright> upright = measureUpright(view, grid, bars, field.post_radius);
-  if (!upright || !plausibleDistance(*upright) || !endsLikePost(view, *upright, field.goal_height)) return;
-  report(view, *upright, landmarkColour(bar.colour), client::Percept::Kind::kPost, out.posts, out);
+  std::optional<Upright> upright = measureUpright(sight, bars, field.post_radius);
+  if (!upright || !plausibleDistance(*upright, field) || !endsLikePost(sight.view, *upright, field.goal_height)) return;
+  if (!weighTop(sight, bar, all, field.goal_height, *upright)) return;
+  report(sight.view, *upright, landmarkColour(bar.colour), client::Percept::Kind::kPost, out.posts, out);
 }
 
 }  // namespace
 
 void LandmarkFinder::find(const PictureView& view, const ColourGrid& grid, const client::FieldDescription& field,
                           Percepts& out) {
-  const std::span<const Bar> bars = chainer_.chain(grid);
+  const std::span<const Bar> bars = chainer_.chain(view, grid);
+  const Sight sight{view, grid, chainer_};
   for (const Bar& bar : bars) {
     if (bar.runs < 2) continue;
     const bool above = field.pole_radius > 0 && hasAnother(bar, bars, true);
@@ -131,9 +190,9 @@ void LandmarkFinder::find(const PictureView& view, const ColourGrid& grid, const
     if (!above && lower != nullptr && lower->runs > 1) {
       Stack stack{{&bar, lower, below(*lower, bars)}, 3};
       if (stack.bars[2] == nullptr || stack.bars[2]->runs < 2) stack.count = 2;
-      examinePole(view, grid, stack, field, out);
+      examinePole(sight, stack, field, out);
     } else if (!above && lower == nullptr) {
-      examinePost(view, grid, bar, field, out);
+      examinePost(sight, bar, bars, field, out);
     }
   }
 }

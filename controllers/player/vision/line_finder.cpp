@@ -5,7 +5,8 @@
 namespace murosimf::controllers {
 namespace {
 
-constexpr int kReach = 4;  ///< neighbours on each side
+constexpr int kReach = 4;           ///< neighbours on each side
+constexpr double kFarthest = 0.35;  ///< of them on the ground [m]: the centre circle is straight no farther than that
 
 /// Straight line through points of the undistorted picture, by total least squares.
 struct FittedLine {
@@ -48,13 +49,17 @@ double mismatch(const Crossing& a, const Crossing& b, bool vertical, double spac
 FittedLine fitAround(const std::vector<Crossing>& crossings, const Crossing& crossing) {
   LineFit fit;
   fit.add(crossing.ray);
-  int i = crossing.previous, j = crossing.next;
-  for (int k = 0; k < kReach && i >= 0; ++k, i = crossings[static_cast<std::size_t>(i)].previous) {
-    fit.add(crossings[static_cast<std::size_t>(i)].ray);
-  }
-  for (int k = 0; k < kReach && j >= 0; ++k, j = crossings[static_cast<std::size_t>(j)].next) {
-    fit.add(crossings[static_cast<std::size_t>(j)].ray);
-  }
+  auto addWhileNear = [&](int Crossing::*way) {
+    int i = crossing.*way;
+    for (int k = 0; k < kReach && i >= 0; ++k) {
+      const Crossing& c = crossings[static_cast<std::size_t>(i)];
+      if (squaredNorm(c.ground - crossing.ground) > kFarthest * kFarthest) return;
+      fit.add(c.ray);
+      i = c.*way;
+    }
+  };
+  addWhileNear(&Crossing::previous);
+  addWhileNear(&Crossing::next);
   return fit.solve();
 }
 

@@ -132,6 +132,7 @@ void LineScanner::addCrossing(const PictureView& view, const Path& path, int las
   const auto p = view.ground(path.u + first * path.du, path.v + first * path.dv);
   const auto q = view.ground(path.u + last * path.du, path.v + last * path.dv);
   if (!p || !q) return;
+  c.ground = (*p + *q) * 0.5;
   c.across = *q - *p;
   if (squaredNorm(c.across) > 36 * line_width * line_width) return;
   c.ray = view.rays->ray(c.at.u, c.at.v);

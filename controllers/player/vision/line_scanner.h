@@ -16,6 +16,7 @@ namespace murosimf::controllers {
 struct Crossing {
   PixelPoint at;                 ///< middle
   PlanePoint ray;                ///< of the middle
+  Vector3 ground;                ///< of the middle, in R [m]
   Vector3 across;                ///< on the ground, from one edge to the other, in R [m]
   double pixels = 0;             ///< length along the scan
   int scan = 0;                  ///< number of the scan, neighbours are consecutive

@@ -1,20 +1,22 @@
 #include "player/vision/robot_finder.h"
 
 #include <algorithm>
+#include <array>
 
 namespace murosimf::controllers {
 namespace {
 
-constexpr double kNearest = 0.25, kFarthest = 5;           ///< own feet are nearer than that [m]
-constexpr double kLowestMark = 0.08, kHighestMark = 0.65;  ///< above the ground [m]
-constexpr double kSize = 0.3;                              ///< marks closer than this belong to one robot [m]
+constexpr double kNearest = 0.25, kFarthest = 5;          ///< own feet are nearer than that [m]
+constexpr double kLowestMark = 0.12, kHighestMark = 0.6;  ///< above the ground [m]
+constexpr double kHalfWidth = 0.22;                       ///< of a robot, arms included [m]
+constexpr std::size_t kMostMarks = 32;
 
 bool isField(Colour c) { return c == Colour::kGreen || c == Colour::kWhite; }
 
-/// Last row of the obstacle in this column, going down from `row`; -1 if it reaches the border of the picture.
-/// Two field cells in succession are the field; one may be noise, or a bright part.
+/// Last row of the obstacle in this column, going down from `row`; rows() if it reaches the border of the picture, -1
+/// if there is none. Two field cells in succession are the field; one may be noise, or a bright part.
 int footRow(const ColourGrid& grid, int column, int row) {
-  int last = -2;
+  int last = -1;
   for (; row < grid.rows(); ++row) {
     if (!isField(grid.cell(column, row))) {
       last = row;
@@ -22,16 +24,16 @@ int footRow(const ColourGrid& grid, int column, int row) {
       return last;
     }
   }
-  return -1;
+  return grid.rows();
 }
 
-/// The lowest place, in picture coordinates, that columns below the region reach.
+/// The lowest place, in picture coordinates, that columns below the region reach, none if it is out of the picture.
 std::optional<PixelPoint> footOf(const ColourGrid& grid, const Region& region) {
-  const int widen = std::max(1, (region.right - region.left) / 2);
+  const int widen = std::max(2, (region.right - region.left + 1) / 2);
   const int first = std::max(0, region.left - widen), last = std::min(grid.columns() - 1, region.right + widen);
   int lowest = -1;
   for (int column = first; column <= last; ++column) lowest = std::max(lowest, footRow(grid, column, region.bottom));
-  if (lowest < 0) return std::nullopt;
+  if (lowest < 0 || lowest >= grid.rows() - 1) return std::nullopt;
   int sum = 0, count = 0;
   for (int column = first; column <= last; ++column) {
     if (footRow(grid, column, region.bottom) < lowest - 1) continue;
@@ -41,33 +43,66 @@ std::optional<PixelPoint> footOf(const ColourGrid& grid, const Region& region) {
   return PixelPoint{static_cast<double>(sum) / count, grid.pixelOf(lowest) + 0.5 * grid.step()};
 }
 
-bool markAtRobotsHeight(const PictureView& view, const ColourGrid& grid, const Region& region, double distance) {
-  const double u = grid.pixelOf((region.left + region.right) / 2), v = grid.pixelOf((region.top + region.bottom) / 2);
-  const Vector3 d = view.direction(u, v);
-  const double height = view.X_RC.translation.z + distance * d.z / horizontal(d), tolerance = 0.05 * distance;
-  return height > kLowestMark - tolerance && height < kHighestMark + tolerance;
+/// A mark with the foot point below it.
+struct Mark {
+  Vector3 foot;           ///< in R
+  double distance = 0;    ///< of the foot from the camera
+  Vector3 direction;      ///< to the mark, horizontal length 1
+  PixelPoint pixel;       ///< of the foot
+  double half_width = 0;  ///< [pixels]
+};
+
+double heightAt(const PictureView& view, const Vector3& direction, double distance) {
+  return view.X_RC.translation.z + distance * direction.z;
 }
 
-bool known(const Percepts& out, const Vector3& p) {
-  return std::any_of(out.robots.begin(), out.robots.end(), [&](const RobotPercept& r) {
-    return (r.x - p.x) * (r.x - p.x) + (r.y - p.y) * (r.y - p.y) < kSize * kSize;
-  });
+std::optional<Mark> examine(const PictureView& view, const ColourGrid& grid, const Region& region) {
+  const std::optional<PixelPoint> pixel = footOf(grid, region);
+  if (!pixel) return std::nullopt;
+  const std::optional<Vector3> foot = view.ground(pixel->u, pixel->v);
+  if (!foot) return std::nullopt;
+  const double u = grid.pixelOf((region.left + region.right) / 2), v = grid.pixelOf((region.top + region.bottom) / 2);
+  const Vector3 d = view.direction(u, v);
+  Mark mark{*foot, horizontal(*foot - view.X_RC.translation), d * (1 / horizontal(d)), *pixel, 0};
+  mark.half_width = 0.5 * (region.right - region.left + 1) * grid.step();
+  if (mark.distance < kNearest || mark.distance > kFarthest) return std::nullopt;
+  const double height = heightAt(view, mark.direction, mark.distance), tolerance = 0.04 * mark.distance;
+  if (height < kLowestMark - tolerance || height > kHighestMark + tolerance) return std::nullopt;
+  return mark;
+}
+
+/// Whether `mark` may hang on the robot whose foot was found nearer: beside it, at a height that robots have. An arm
+/// before the carpet has its "foot" far behind its robot.
+bool belongsTo(const PictureView& view, const Mark& mark, const Mark& nearer) {
+  const Vector3 p = view.X_RC.translation + mark.direction * nearer.distance;
+  const double height = heightAt(view, mark.direction, nearer.distance);
+  const double dx = p.x - nearer.foot.x, dy = p.y - nearer.foot.y;
+  return dx * dx + dy * dy < kHalfWidth * kHalfWidth && height > 0.1 && height < 0.6;
 }
 
 }  // namespace
 
 void findRobots(const PictureView& view, const ColourGrid& grid, Percepts& out) {
+  std::array<Mark, kMostMarks> marks;  // nearest first
+  std::size_t count = 0;
   for (const Region& region : grid.regions()) {
     if ((region.colour != Colour::kMagenta && region.colour != Colour::kCyan) || region.cells < 3) continue;
-    const std::optional<PixelPoint> foot = footOf(grid, region);
-    if (!foot) continue;
-    const std::optional<Vector3> p = view.ground(foot->u, foot->v);
-    if (!p || known(out, *p)) continue;
-    const double distance = horizontal(*p - view.X_RC.translation);
-    if (distance < kNearest || distance > kFarthest || !markAtRobotsHeight(view, grid, region, distance)) continue;
-    out.robots.push_back({p->x, p->y});
-    const double half_width = 0.5 * (region.right - region.left + 1) * grid.step();
-    out.drawn.push_back({client::Percept::Kind::kRobot, view.camera, foot->u, foot->v, half_width, horizontal(*p)});
+    const std::optional<Mark> mark = examine(view, grid, region);
+    if (!mark || count == kMostMarks) continue;
+    std::size_t place = count++;
+    for (; place > 0 && marks[place - 1].distance > mark->distance; --place) marks[place] = marks[place - 1];
+    marks[place] = *mark;
+  }
+  std::size_t robots = 0;  // those kept stand at the front of the list
+  for (std::size_t i = 0; i < count; ++i) {
+    const Mark mark = marks[i];
+    const bool known = std::any_of(marks.begin(), marks.begin() + static_cast<std::ptrdiff_t>(robots),
+                                   [&](const Mark& robot) { return belongsTo(view, mark, robot); });
+    if (known) continue;
+    marks[robots++] = mark;
+    out.robots.push_back({mark.foot.x, mark.foot.y});
+    out.drawn.push_back({client::Percept::Kind::kRobot, view.camera, mark.pixel.u, mark.pixel.v, mark.half_width,
+                         horizontal(mark.foot)});
   }
 }
 

@@ -18,6 +18,11 @@ inline double groundDeviation(double distance, double height, double focal_lengt
   return (distance * distance + height * height) / (height > 0.05 ? height : 0.05) * inclination;
 }
 
+/// Whether two measurements may be of the same thing: three deviations apart at most, and a little for models.
+inline bool agree(const Estimate& a, const Estimate& b) {
+  return abs(a.value - b.value) < 0.05 + 3 * sqrt(a.deviation * a.deviation + b.deviation * b.deviation);
+}
+
 /// Minimum variance estimate of two independent measurements.
 inline Estimate fuse(const Estimate& a, const Estimate& b) {
   const double wa = 1 / (a.deviation * a.deviation), wb = 1 / (b.deviation * b.deviation);

@@ -40,10 +40,23 @@ bool mayCover(Colour outside) {
   return outside == Colour::kMagenta || outside == Colour::kCyan || outside == Colour::kOrange;
 }
 
+/// Whether the same thing lies behind the bar on both sides. If not, one side may be something that stands before it.
+bool sameBackground(const PictureView& view, const PixelPoint& left, const PixelPoint& right) {
+  const int v = static_cast<int>(left.v + 0.5), u1 = static_cast<int>(left.u - 1.5),
+            u2 = static_cast<int>(right.u + 2.5);
+  if (!view.inside(u1, v) || !view.inside(u2, v)) return false;
+  const std::uint8_t *p = view.pixel(u1, v), *q = view.pixel(u2, v);
+  int difference = 0, sum = 0;
+  for (int i = 0; i < 3; ++i) difference += std::abs(p[i] - q[i]), sum += p[i] + q[i];
+  return 8 * difference < sum + 160;
+}
+
 void measureRow(const PictureView& view, const Bar& bar, const PixelPoint& middle, int reach, Sides& sides) {
   const Signal& signal = signalOf(bar.colour);
   const Edge left = walkToEdge(view, signal, middle, -1, 0, reach);
   const Edge right = walkToEdge(view, signal, middle, 1, 0, reach);
+  const bool both = left.end == Edge::End::kFound && right.end == Edge::End::kFound;
+  if (both && !sameBackground(view, left.at, right.at)) return;
   ++sides.rows;
   const bool left_good = left.end == Edge::End::kFound && !mayCover(left.outside);
   const bool right_good = right.end == Edge::End::kFound && !mayCover(right.outside);
@@ -55,45 +68,44 @@ void measureRow(const PictureView& view, const Bar& bar, const PixelPoint& middl
   }
 }
 
-PixelPoint middleOf(const ColourGrid& grid, const Bar& bar, double row) {
-  return {bar.centre(row) * grid.step() + grid.step() / 2, row * grid.step() + grid.step() / 2};
+PixelPoint pixelOf(const ColourGrid& grid, double column, double row) {
+  return {column * grid.step() + grid.step() / 2, row * grid.step() + grid.step() / 2};
 }
 
-Sides measureSides(const PictureView& view, const ColourGrid& grid, std::span<const Bar* const> bars) {
-  Sides sides;
-  sides.reference = azimuthOf(view, middleOf(grid, *bars[0], bars[0]->top));
-  const int rows_each = kMostRows / static_cast<int>(bars.size());
-  for (const Bar* bar : bars) {
-    // The last row of a bar may show the next thing already: stay clear of both ends where there is room.
-    const int margin = bar->height() > 4 ? 1 : 0;
-    const int first = bar->top + margin, last = bar->bottom - margin, count = std::min(rows_each, last - first + 1);
-    for (int i = 0; i < count; ++i) {
-      const int row = first + (count == 1 ? 0 : i * (last - first) / (count - 1));
-      const int reach = static_cast<int>(2 * bar->mean_width + 4) * grid.step();
-      measureRow(view, *bar, middleOf(grid, *bar, row), reach, sides);
-    }
+/// Some of the rows of a bar, evenly. Its ends may show the next thing already: they are left out where there is room.
+void measureBar(const Sight& sight, const Bar& bar, int most_rows, Sides& sides) {
+  const int margin = bar.runs > 4 ? 1 : 0, count = bar.runs - 2 * margin, stride = (count + most_rows - 1) / most_rows;
+  const int reach = static_cast<int>(2 * bar.mean_width + 4) * sight.grid.step();
+  int run = bar.last_run;
+  for (int i = 0; i < margin + count; ++i, run = sight.chainer.above(run)) {
+    if (i < margin || (i - margin) % stride != 0) continue;
+    const Run& r = sight.grid.runs()[static_cast<std::size_t>(run)];
+    measureRow(sight.view, bar, pixelOf(sight.grid, 0.5 * (r.first + r.last), r.row), reach, sides);
   }
+}
+
+Sides measureSides(const Sight& sight, std::span<const Bar* const> bars) {
+  Sides sides;
+  sides.reference = azimuthOf(sight.view, topOf(sight.grid, *bars[0]));
+  for (const Bar* bar : bars) measureBar(sight, *bar, kMostRows / static_cast<int>(bars.size()), sides);
   return sides;
 }
 
-/// Follows the middle line down, and up, to where the colour ends.
-void findEnds(const PictureView& view, const ColourGrid& grid, const Bar& upper, const Bar& lower, Upright& upright) {
-  const PixelPoint top = middleOf(grid, upper, upper.top), bottom = middleOf(grid, lower, lower.bottom);
-  const double length = bottom.v - top.v;
-  const double slope = length >= 4 * grid.step() ? (bottom.u - top.u) / length : 0;
-  const int reach = 4 * grid.step();
-  const Edge down = walkToEdge(view, signalOf(lower.colour), bottom, slope, 1, reach);
-  const Edge up = walkToEdge(view, signalOf(upper.colour), top, -slope, -1, reach);
+/// Follows the middle line down to where the colour ends. Upwards only the border of the picture matters: a post goes
+/// over into the crossbar of the same colour, so its top is where the chain of runs ended.
+void findEnds(const Sight& sight, const Bar& upper, const Bar& lower, Upright& upright) {
+  const PixelPoint top = topOf(sight.grid, upper), bottom = bottomOf(sight.grid, lower);
+  const Edge down = walkToEdge(sight.view, signalOf(lower.colour), bottom, lower.slope, 1, 4 * sight.grid.step());
   upright.cut_below = down.end == Edge::End::kBorder;
-  upright.cut_above = up.end == Edge::End::kBorder;
+  upright.cut_above = upper.top <= 1;
   upright.lowest = down.end == Edge::End::kFound ? down.at : bottom;
-  upright.highest = up.end == Edge::End::kFound ? up.at : top;
+  upright.highest = {top.u, top.v - 0.5 * sight.grid.step()};
   upright.below = down.end == Edge::End::kFound ? down.outside : Colour::kOther;
 }
 
 /// Distance by the width; deviation of an edge's median .3 pixels.
 std::optional<Estimate> byWidth(const PictureView& view, Sides& sides, double radius, double& azimuth) {
-  if (sides.left.count * 3 < sides.rows || sides.right.count * 3 < sides.rows) return std::nullopt;
+  if (sides.rows < 2 || sides.left.count * 3 < sides.rows || sides.right.count * 3 < sides.rows) return std::nullopt;
   const double left = sides.left.median(), right = sides.right.median();
   const double sine = sin(0.5 * (left - right));
   if (sine <= 1e-4) return std::nullopt;
@@ -114,43 +126,54 @@ std::optional<Estimate> byFoot(const PictureView& view, const Upright& upright, 
 /// With one edge out of sight the axis lies beside the other one, by the angle that the foot's distance implies.
 std::optional<double> azimuthByOneEdge(Sides& sides, double radius, double distance) {
   const double half = asin(radius / distance);
+  if (sides.rows < 2) return std::nullopt;
   if (sides.left.count * 3 >= sides.rows) return sides.reference + sides.left.median() - half;
   if (sides.right.count * 3 >= sides.rows) return sides.reference + sides.right.median() + half;
   return std::nullopt;
 }
 
+/// Weighs width and foot. A width that is too small for the foot's distance is partly covered: then the foot counts,
+/// and the axis may lie beside the middle of what is seen. Too large a width means that the foot is none.
+bool combine(const std::optional<Estimate>& width, const std::optional<Estimate>& foot, double radius, Sides& sides,
+             Upright& upright) {
+  upright.foot_seen = foot.has_value();
+  if (!width && !foot) return false;
+  if (width && !foot) return upright.distance = *width, true;
+  upright.distance = *foot;
+  if (width && agree(*width, *foot)) return upright.distance = fuse(*width, *foot), true;
+  if (width) {
+    upright.azimuth_deviation += radius / foot->value - radius / width->value;
+    return width->value > foot->value;
+  }
+  const std::optional<double> azimuth = azimuthByOneEdge(sides, radius, foot->value);
+  if (azimuth) upright.azimuth = *azimuth;
+  return azimuth.has_value();
+}
+
 }  // namespace
 
-std::optional<Upright> measureUpright(const PictureView& view, const ColourGrid& grid, std::span<const Bar* const> bars,
-                                      double radius) {
-  Sides sides = measureSides(view, grid, bars);
+std::optional<Upright> measureUpright(const Sight& sight, std::span<const Bar* const> bars, double radius) {
+  Sides sides = measureSides(sight, bars);
   Upright upright;
-  findEnds(view, grid, *bars.front(), *bars.back(), upright);
-  const std::optional<Estimate> width = byWidth(view, sides, radius, upright.azimuth);
-  const std::optional<Estimate> foot = byFoot(view, upright, radius);
-  if (width) upright.distance = *width;
-  if (foot) {
-    const double contradiction = width ? abs(foot->value - width->value) : 0;
-    const double allowed = width ? 0.05 + 3 * (foot->deviation + width->deviation) : 1;
-    upright.foot_seen = contradiction < allowed;
-  }
-  if (!width) {
-    if (!upright.foot_seen) return std::nullopt;
-    const std::optional<double> azimuth = azimuthByOneEdge(sides, radius, foot->value);
-    if (!azimuth) return std::nullopt;
-    upright.azimuth = *azimuth;
-    upright.distance = *foot;
-  } else if (upright.foot_seen) {
-    upright.distance = fuse(*width, *foot);
-  }
-  upright.half_width =
-      sides.widths > 0 ? 0.5 * sides.width_sum / sides.widths : 0.5 * bars.front()->mean_width * grid.step();
+  findEnds(sight, *bars.front(), *bars.back(), upright);
+  upright.azimuth_deviation = 0.01 + 1 / sight.view.description->fx;
+  const std::optional<Estimate> width = byWidth(sight.view, sides, radius, upright.azimuth);
+  if (!combine(width, byFoot(sight.view, upright, radius), radius, sides, upright)) return std::nullopt;
+  const double grid_width = bars.front()->mean_width * sight.grid.step();
+  upright.half_width = 0.5 * (sides.widths > 0 ? sides.width_sum / sides.widths : grid_width);
   return upright;
 }
 
-double heightAt(const PictureView& view, const Upright& upright, const PixelPoint& pixel) {
+PixelPoint topOf(const ColourGrid& grid, const Bar& bar) { return pixelOf(grid, bar.top_centre, bar.top); }
+PixelPoint bottomOf(const ColourGrid& grid, const Bar& bar) { return pixelOf(grid, bar.bottom_centre, bar.bottom); }
+
+double slopeAt(const PictureView& view, const PixelPoint& pixel) {
   const Vector3 d = view.direction(pixel.u, pixel.v);
-  return view.X_RC.translation.z + upright.distance.value * d.z / horizontal(d);
+  return d.z / horizontal(d);
+}
+
+double heightAt(const PictureView& view, const Upright& upright, const PixelPoint& pixel) {
+  return view.X_RC.translation.z + upright.distance.value * slopeAt(view, pixel);
 }
 
 }  // namespace murosimf::controllers
