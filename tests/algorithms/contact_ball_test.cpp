@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact_scene.h"
+#include "murosimf/algorithms/contact_law.h"
 
 namespace murosimf {
 namespace {
@@ -62,6 +63,22 @@ TEST(Bounce, SubstepsKeepRestitutionForStiffContacts) {
       scene.addBall(ball, {0, 0, ball.radius + 0.0052}, {0, 0, -1});
       scene.addGround(0, smoothSurface(stiffness, s_b));
       EXPECT_NEAR(impactOf(scene, ball.radius).speed, std::sqrt(s_b), 0.03 * std::sqrt(s_b)) << stiffness << " " << s_b;
+    }
+}
+
+TEST(Bounce, HuntCrossleyReturnsTheRootOfItsEquation) {
+  for (double stiffness : {1e3, 1e4, 1e5})
+    for (double dissipation : {0.43, 1.01, 2.5}) {
+      const BallType ball;
+      ContactScene scene;
+      scene.frame.gravity = {};
+      scene.addBall(ball, {0, 0, ball.radius + 0.0052}, {0, 0, -1});
+      SurfacePair surface = smoothSurface(stiffness, 0);
+      surface.normal_law = NormalLaw::kHuntCrossley;
+      surface.dissipation = dissipation;
+      scene.addGround(0, surface);
+      const double e = restitution(surface, 1);
+      EXPECT_NEAR(impactOf(scene, ball.radius).speed, e, 0.03 * e) << stiffness << " " << dissipation;
     }
 }
 

@@ -1,7 +1,9 @@
 // What the pair phase keeps: momentum, energy, order, memory, bits.
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <algorithm>
+#include <bit>
 
 #include "contact_scene.h"
 
@@ -266,6 +268,31 @@ TEST(PairSolver, ContinuesFromASavedStateBitByBit) {
     ASSERT_EQ(scene.ball(1).velocity, resumed.ball(1).velocity);
   }
   ASSERT_TRUE(std::ranges::equal(scene.solver.kept(), resumed.solver.kept()));
+}
+
+TEST(PairSolver, EveryCompilerGivesTheSameBits) {
+  ContactScene scene = bustle(false, true);
+  std::uint64_t hash = 0;
+  for (int i = 0; i < 1500; ++i) {
+    scene.advance();
+    for (const FreeBody& b : scene.frame.bodies)
+      for (int k = 0; k < 3; ++k) {
+        hash = mixBits(hash ^ std::bit_cast<std::uint64_t>(b.X_WB.translation[k]));
+        hash = mixBits(hash ^ std::bit_cast<std::uint64_t>(b.X_WB.rotation.x[k]));
+        hash = mixBits(hash ^ std::bit_cast<std::uint64_t>(b.angular_velocity[k]));
+      }
+  }
+  EXPECT_EQ(hash, 0x5750b9c5ccbac48aULL) << std::hex << "0x" << hash;
+}
+
+TEST(PairSolver, AllocatesNothingWithinWhatWasReserved) {
+  ContactScene scene = bustle(true, true);
+  scene.solver.reserve(static_cast<int>(scene.frame.bodies.size()), static_cast<int>(scene.frame.pairs.size()));
+  const std::size_t before = mallinfo2().uordblks;
+  for (int i = 0; i < 1500; ++i) {
+    scene.advance();
+    ASSERT_EQ(mallinfo2().uordblks, before) << i;
+  }
 }
 
 TEST(PairSolver, MemoryIsOfContactsThatTouchAndSortedByKey) {

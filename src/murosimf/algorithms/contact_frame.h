@@ -3,7 +3,8 @@
 /// @file What the pair phase needs to know of one frame, and what it hands back: plain data, filled by a module.
 ///
 /// Free bodies carry spheres. A pair says: this sphere of that free body may touch this shape of a partner (or a
-/// sphere of another free body) in this frame. Pairs that stay apart cost little and change nothing.
+/// sphere of another free body) in this frame. Pairs that stay apart cost little and change nothing; a pair must be
+/// listed before it touches, because one that appears more than 2 mm deep counts as a teleport.
 /// Names are hashName() of the object's full name: order and memory depend on names alone, so adding an object does
 /// not change a bit of contacts that it has no part in.
 

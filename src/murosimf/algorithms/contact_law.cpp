@@ -15,6 +15,7 @@ Factor factorWithSlope(const SurfacePair& pair, double u) {
   }
   if (pair.normal_law == NormalLaw::kPaper) return {u < 0 ? 1.0 : pair.restitution_factor, 0};
   const double mean = 0.5 * (1 + pair.restitution_factor), half = 0.5 * (1 - pair.restitution_factor);
+  if (abs(u) > 20 * pair.blend_speed) return {u < 0 ? 1.0 : pair.restitution_factor, 0};  // tanh is 1 to the last bit
   const double t = tanh(u / pair.blend_speed);
   return {mean - half * t, -half * (1 - t * t) / pair.blend_speed};
 }
@@ -56,13 +57,13 @@ struct MidpointStep {
 
 /// Newton's method between two bounds; halves them where a step leaves them or does not halve the step before last.
 double solveByNewton(const MidpointStep& law) {
-  double low = 0, high = law.impulse(0), p = 0;
+  double low = 0, high = law.impulse(0);
   if (high <= 0) return 0;
   const double tolerance = 1e-13 * high;
-  double last_step = high, step_before = high;
+  double p = law.step.guess <= high ? law.step.guess : 0.0, last_step = high, step_before = high;
   for (int i = 0; i < 100; ++i) {
     const Factor residual = law.residual(p);
-    if (residual.value == 0) return p;
+    if (abs(residual.value) <= tolerance) break;  // its slope is at least 1
     (residual.value > 0 ? high : low) = p;
     double next = p - residual.value / residual.slope;
     const bool converges = next >= low && next <= high && abs(next - p) <= 0.5 * step_before;
@@ -70,7 +71,7 @@ double solveByNewton(const MidpointStep& law) {
     step_before = last_step;
     last_step = abs(next - p);
     p = next;
-    if (last_step <= tolerance) break;
+    if (last_step <= 1e-15 * p) break;
   }
   return p;
 }

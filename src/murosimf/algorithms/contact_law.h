@@ -29,6 +29,7 @@ struct NormalStep {
   double response = 0;     ///< W [1/kg], > 0
   double dt = 0;           ///< h [s]
   double stiffness = 0;    ///< s_c, or s_c/n for each of n points of a manifold [N/m]
+  double guess = 0;        ///< of p, >= 0: where the search begins
 };
 
 double midpointWeight(double stiffness, double response, double dt);

@@ -18,6 +18,9 @@ struct PartnerPath {
 };
 PartnerPath pathOf(const ContactPartner& partner, double dt);
 
+/// Sphere A of a pair, its centre at p_WC, against B at the pose X_WP of its body.
+SphereContact detectSphere(const SpherePair& pair, const Vector3& p_WC, const Pose& X_WP);
+
 /// Work of one pair in this frame.
 struct WorkContact {
   int pair = 0;            ///< index in FrameContacts::pairs, and of its KeptContact
@@ -32,7 +35,7 @@ struct WorkContact {
   Vector3 p_t, p_w;
   Vector3 recoil, recoil_start, recoil_shift;  ///< a responsive partner's point since the frame's start: velocity,
                                                ///< velocity at the substep's start, displacement
-  int matrix = 0, row = 0, rows = 0;  ///< where its robot's matrix begins; its block row there, of so many
+  int matrix = 0, row = 0, rows = 0;           ///< where its robot's matrix begins; its block row there, of so many
 };
 
 class IslandSolver {
@@ -45,7 +48,8 @@ class IslandSolver {
 
  private:
   // Once per frame.
-  void findTouching(double dt);
+  void findContacts(double dt);
+  double depthAfter(const WorkContact& c, double dt) const;
   void findIslands();
   int rootOf(int node);
   void unite(int a, int b);
@@ -57,7 +61,7 @@ class IslandSolver {
   void askResponse(int first);
   int substepsOf(double dt) const;
 
-  // Per substep; contacts are those of island_.
+  // Per substep, in island_substep.cpp; contacts are those of island_.
   void substep(int island, double t, double h);
   void place(WorkContact& c, double t) const;
   void prepare(WorkContact& c, double h);

@@ -11,7 +11,8 @@
 ///     4. positions by h (v + v+)/2, orientation by the exponential map of the mean angular momentum
 /// What recoils moves on inside the frame as its response says; it gets the sum of impulses as a wrench for the frame.
 /// Results depend on names and numbers only: not on the order of input, on threads or on objects that do not touch.
-/// Cost: about 0.3 us per contact and substep; no allocation within what was reserved.
+/// Cost: about 1 us per contact that touches and substep, 0.15 us per pair that does not; no allocation within what was
+/// reserved.
 
 #include <memory>
 
