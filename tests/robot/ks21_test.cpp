@@ -161,6 +161,35 @@ TEST(Ks21, NeighboursGrandparentsAndThighsIgnoreContact) {
   EXPECT_FALSE(ignores("forearm_left", "trunk"));
 }
 
+/// How deep two boxes with parallel axes lie in each other [m]; negative: the gap.
+double overlap(const Pose& a, const Shape& shape_a, const Pose& b, const Shape& shape_b) {
+  double least = 1;
+  for (int i = 0; i < 3; ++i) {
+    least = std::min(least, shape_a.half_size[i] + shape_b.half_size[i] - abs(a.translation[i] - b.translation[i]));
+  }
+  return least;
+}
+
+TEST(Ks21, StandingStraightNoBodyTouchesAnotherThatItMayTouch) {
+  const std::vector<Body>& bodies = ks21().tree.bodies;
+  const std::vector<Pose> poses = bodyPoses(ks21().tree, std::vector<double>(21, 0.0));
+  int pairs = 0;
+  for (std::size_t a = 0; a < bodies.size(); ++a) {
+    for (std::size_t b = a + 1; b < bodies.size(); ++b) {
+      if (ks21().ignoresContact(static_cast<int>(a), static_cast<int>(b))) continue;
+      for (const BodyShape& s : bodies[a].shapes) {
+        for (const BodyShape& other : bodies[b].shapes) {
+          if (!s.collides || !other.collides) continue;
+          ++pairs;
+          EXPECT_LT(overlap(poses[a] * s.X_BS, s.shape, poses[b] * other.X_BS, other.shape), -1e-3)
+              << bodies[a].name << " " << bodies[b].name;
+        }
+      }
+    }
+  }
+  EXPECT_GT(pairs, 60);
+}
+
 TEST(Ks21, FeetTouchWithTheirSolesAndCarryPressurePointsAtTheCorners) {
   EXPECT_EQ(body("foot_left").shapes[0].surface, "sole");
   EXPECT_EQ(body("trunk").shapes[0].surface, "plastic");
