@@ -13,7 +13,7 @@
 namespace murosimf {
 
 /// Slots of a robot that take one module each.
-inline constexpr std::string_view kModuleSlots[] = {"motion",  "actuation",   "collision",
+inline constexpr std::string_view kModuleSlots[] = {"motion",  "actuation",   "kinematics", "collision",
                                                     "contact", "integration", "sensing"};
 
 /// Brings the tables of robots and teams into one form: modules given by name become tables, properties get their

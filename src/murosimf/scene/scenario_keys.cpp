@@ -106,6 +106,7 @@ constexpr ScenarioKey kKeys[] = {
             "level of detail; `full`, `fast` and `oracle` are reserved for later versions"),
     plainKey(kRobot, "motion", kModule, "", "module; default: the level's"),
     plainKey(kRobot, "actuation", kModule, "", "module; default: the level's"),
+    plainKey(kRobot, "kinematics", kModule, "", "module; default: the level's"),
     plainKey(kRobot, "collision", kModule, "", "module; default: the level's"),
     plainKey(kRobot, "contact", kModule, "", "module; default: the level's"),
     plainKey(kRobot, "integration", kModule, "", "module; default: the level's"),

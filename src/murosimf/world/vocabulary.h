@@ -31,14 +31,14 @@ struct SolePlace {
 };
 
 /// One shape of a body: what touches and what is seen.
-struct BodyShape {
+struct PlacedShape {
   int row = 0;  ///< body (row of the tree table) that carries it; 0 for single bodies
   Pose X_BS;    ///< shape on the body
   Shape shape;
   Colour colour;
   std::string surface;  ///< surface type, for the table of surface pairs
   bool collides = true, drawn = true;
-  friend bool operator==(const BodyShape&, const BodyShape&) = default;
+  friend bool operator==(const PlacedShape&, const PlacedShape&) = default;
 };
 
 /// Demand of a joint: tau = kp (position - q) + kd (velocity - dq) + torque. A position servo takes position, and
@@ -51,7 +51,7 @@ struct ServoCommand {
 inline constexpr Constant<TreeTable> kTree{"tree", "", "kinematic tree of bodies and joints"};
 inline constexpr Constant<std::vector<SolePlace>> kSoles{"soles", "", "places of the soles, right and left"};
 inline constexpr Constant<MountPlace> kImuPlace{"imu_place", "", "mount of the inertial measurement unit"};
-inline constexpr Constant<std::vector<BodyShape>> kShapes{"shapes", "", "shapes of all bodies"};
+inline constexpr Constant<std::vector<PlacedShape>> kShapes{"shapes", "", "shapes of all bodies"};
 inline constexpr Constant<double> kLowerLimit{"lower_limit", "rad", "smallest joint position"};
 inline constexpr Constant<double> kUpperLimit{"upper_limit", "rad", "largest joint position"};
 inline constexpr Constant<double> kLargestVelocity{"largest_velocity", "rad/s", "no-load speed of the servo"};

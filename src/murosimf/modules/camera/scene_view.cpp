@@ -41,7 +41,7 @@ SceneView::SceneView(const World& world, LinkedWorld& linked, const std::vector<
 void SceneView::addShapes(const World& world, ObjectId object, const Pose& X_WB, Source source) {
   labelled_.push_back(object);
   const auto label = static_cast<std::uint16_t>(labelled_.size());
-  for (const BodyShape& s : *world.findShared(object, kShapes)) {
+  for (const PlacedShape& s : *world.findShared(object, kShapes)) {
     if (!s.drawn) continue;
     source.row = s.row;
     source.X_BS = s.X_BS;

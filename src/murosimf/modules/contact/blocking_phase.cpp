@@ -27,7 +27,7 @@ BlockingPhase::BlockingPhase(const World& world, LinkedWorld& linked, std::vecto
   }
   for (const ObjectId id : fixed) {
     const Pose X_WB = *world.find(id, kFixedPose);
-    for (const BodyShape& s : *world.findShared(id, kShapes)) {
+    for (const PlacedShape& s : *world.findShared(id, kShapes)) {
       const Pose X_WS = X_WB * s.X_BS;
       if (!s.collides || s.shape.kind != ShapeKind::kCylinder || abs(X_WS.rotation.z.z) < 0.9) continue;
       discs_.push_back(

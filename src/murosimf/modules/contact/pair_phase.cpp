@@ -81,7 +81,7 @@ std::vector<SurfacePair> PairPhase::surfacesWith(const World& world, const std::
 std::vector<PairPhase::Obstacle> PairPhase::obstaclesOf(const World& world, ObjectId object) const {
   std::vector<Obstacle> obstacles;
   std::uint16_t number = 0;
-  for (const BodyShape& s : *world.findShared(object, kShapes)) {
+  for (const PlacedShape& s : *world.findShared(object, kShapes)) {
     const std::uint16_t own_number = number++;
     if (!s.collides) continue;
     obstacles.push_back({object, s.row, s.X_BS, s.shape, boundingRadius(s.shape), hashName(world.path(object)),

@@ -1,0 +1,151 @@
+#include "murosimf/scene/module_choice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace murosimf {
+
+namespace {
+
+/// One slot of a level of detail and the module that fills it when nobody chooses another.
+struct Slot {
+  std::string_view name, module;
+};
+constexpr Slot kKinematicLevel[] = {{"actuation", "ideal_servo"},
+                                    {"motion", "kinematic_walking"},
+                                    {"kinematics", "body_poses"},
+                                    {"sensing", "inertial_sensor"}};
+constexpr double kMotionPeriod = 0.01;  // [s] of kinematic robots
+constexpr std::string_view kExtraModule = "modules.";
+
+std::vector<std::string> slotNames() {
+  std::vector<std::string> names;
+  for (const Slot& slot : kKinematicLevel) names.emplace_back(slot.name);
+  return names;
+}
+
+const ModuleChoice* choiceFor(const RobotSettings& robot, std::string_view slot) {
+  const auto found = std::find_if(robot.modules.begin(), robot.modules.end(),
+                                  [&](const ModuleChoice& choice) { return choice.slot == slot; });
+  return found == robot.modules.end() ? nullptr : &*found;
+}
+
+/// The motion's period holds for all modules of a kinematic robot that do not say otherwise: they follow it.
+double motionPeriod(const RobotSettings& robot) {
+  const ModuleChoice* motion = choiceFor(robot, "motion");
+  return motion != nullptr && *motion->period > 0 ? *motion->period : kMotionPeriod;
+}
+
+Assignment assignmentOf(std::string module, const ModuleChoice* choice, double period, const SourceLocation& where) {
+  Assignment assignment{{}, std::move(module), {}, where};
+  assignment.parameters.emplace("period", WrittenParameter{{{period}, ""}, where});
+  if (choice == nullptr) return assignment;
+  if (choice->module.given()) assignment.where = choice->module.where;
+  if (*choice->period > 0) {
+    assignment.parameters.insert_or_assign("period", WrittenParameter{{{*choice->period}, ""}, choice->period.where});
+  }
+  for (const NamedValue& parameter : choice->parameters) {
+    assignment.parameters.insert_or_assign(parameter.name,
+                                           WrittenParameter{writtenValue(*parameter.value), parameter.name_where});
+  }
+  return assignment;
+}
+
+}  // namespace
+
+WrittenValue writtenValue(const SceneValue& value) {
+  if (const auto* number = std::get_if<double>(&value)) return {{*number}, ""};
+  if (const auto* truth = std::get_if<bool>(&value)) return {{*truth ? 1.0 : 0.0}, ""};
+  if (const auto* numbers = std::get_if<std::vector<double>>(&value)) return {*numbers, ""};
+  if (const auto* text = std::get_if<std::string>(&value)) return {{}, *text};
+  return {{}, fmt::format("{}", fmt::join(std::get<std::vector<std::string>>(value), " "))};
+}
+
+std::vector<Assignment> modulesOf(const RobotSettings& robot, const ModuleRegistry& registry,
+                                  Diagnostics& diagnostics) {
+  std::vector<Assignment> assignments;
+  const double period = motionPeriod(robot);
+  for (const Slot& slot : kKinematicLevel) {
+    const ModuleChoice* choice = choiceFor(robot, slot.name);
+    const std::string module =
+        choice == nullptr || choice->module->empty() ? std::string(slot.module) : *choice->module;
+    if (module == "none") continue;
+    const ModuleEntry* entry = registry.find(module);
+    if (entry != nullptr && entry->concern != slot.name) {
+      diagnostics.error(choice->module.where, fmt::format("{}: module {} is for {}, not for {}", robot.path(), module,
+                                                          entry->concern, slot.name));
+    }
+    assignments.push_back(assignmentOf(module, choice, period, robot.where));
+  }
+  for (const ModuleChoice& choice : robot.modules) {
+    if (choice.slot.starts_with(kExtraModule)) {
+      const std::string name = choice.module->empty() ? choice.slot.substr(kExtraModule.size()) : *choice.module;
+      assignments.push_back(assignmentOf(name, &choice, period, robot.where));
+    } else if (std::find(slotNames().begin(), slotNames().end(), choice.slot) == slotNames().end()) {
+      diagnostics.error(choice.module.where, fmt::format("{}: level \"{}\" has no {}; it has {}", robot.path(),
+                                                         *robot.level, choice.slot, fmt::join(slotNames(), ", ")));
+    }
+  }
+  return assignments;
+}
+
+namespace {
+
+/// Reads one number parameter of a camera into `out`; reports one that is no number in [lowest, highest].
+void readNumber(const NamedValue& parameter, double lowest, double highest, double& out, Diagnostics& diagnostics) {
+  const auto* number = std::get_if<double>(&*parameter.value);
+  if (number == nullptr || !(*number >= lowest && *number <= highest)) {
+    diagnostics.error(parameter.value.where,
+                      fmt::format("{}: expected a number from {} to {}", parameter.name, lowest, highest));
+    return;
+  }
+  out = *number;
+}
+
+}  // namespace
+
+CameraChoice cameraChoice(const RobotSettings& robot, const CameraMount& mount, Diagnostics& diagnostics) {
+  CameraChoice result;
+  result.settings.period = mount.period;
+  result.settings.phase = mount.phase;
+  for (const ModuleChoice& choice : robot.cameras) {
+    if (choice.slot != mount.name) continue;
+    if (*choice.module == "none") result.on = false;
+    if (!choice.module->empty() && *choice.module != "none" && *choice.module != "ray_caster") {
+      diagnostics.error(choice.module.where,
+                        fmt::format("{}: unknown camera module \"{}\"; expected none or ray_caster{}", robot.path(),
+                                    *choice.module, didYouMean(*choice.module, {"none", "ray_caster"})));
+    }
+    if (*choice.period > 0) result.settings.period = *choice.period;
+    if (choice.phase.given()) result.settings.phase = *choice.phase;
+    for (const NamedValue& parameter : choice.parameters) {
+      double grey_levels = 255 * result.settings.noise;
+      if (parameter.name == "noise") {
+        readNumber(parameter, 0, 128, grey_levels, diagnostics);
+        result.settings.noise = grey_levels / 255;
+      } else if (parameter.name == "gain") {
+        readNumber(parameter, 0.01, 100, result.settings.gain, diagnostics);
+      } else {
+        diagnostics.error(parameter.name_where,
+                          fmt::format("module ray_caster has no parameter \"{}\"; it knows noise, "
+                                      "gain{}",
+                                      parameter.name, didYouMean(parameter.name, {"noise", "gain"})));
+      }
+    }
+  }
+  return result;
+}
+
+void reportUnknownCameras(const RobotSettings& robot, const RobotModel& model, Diagnostics& diagnostics) {
+  std::vector<std::string> known;
+  for (const CameraMount& mount : model.cameras) known.push_back(mount.name);
+  for (const ModuleChoice& choice : robot.cameras) {
+    if (std::find(known.begin(), known.end(), choice.slot) != known.end()) continue;
+    diagnostics.error(choice.module.where,
+                      fmt::format("{} has no camera \"{}\"; it has {}{}", robot.path(), choice.slot,
+                                  fmt::join(known, ", "), didYouMean(choice.slot, known)));
+  }
+}
+
+}  // namespace murosimf

@@ -1,0 +1,29 @@
+#pragma once
+
+/// @file Which modules a robot of a scenario is linked to: its level of detail, and what was chosen one by one.
+
+#include <vector>
+
+#include "murosimf/linking/linker.h"
+#include "murosimf/modules/camera/robot_camera.h"
+#include "murosimf/robot/robot_model.h"
+#include "murosimf/scene/scene.h"
+
+namespace murosimf {
+
+/// The robot's modules with their parameters; the assembly is the caller's to fill in. Reports a slot that the level of
+/// detail does not have.
+std::vector<Assignment> modulesOf(const RobotSettings& robot, const ModuleRegistry& registry, Diagnostics& diagnostics);
+
+/// How a camera of the robot takes pictures.
+struct CameraChoice {
+  bool on = true;
+  RobotCameraSettings settings;
+};
+CameraChoice cameraChoice(const RobotSettings& robot, const CameraMount& mount, Diagnostics& diagnostics);
+/// Reports cameras that the scenario names but the robot does not have.
+void reportUnknownCameras(const RobotSettings& robot, const RobotModel& model, Diagnostics& diagnostics);
+
+WrittenValue writtenValue(const SceneValue& value);
+
+}  // namespace murosimf

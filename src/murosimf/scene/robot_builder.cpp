@@ -1,0 +1,115 @@
+#include "murosimf/scene/robot_builder.h"
+
+#include <utility>
+
+#include "murosimf/world/vocabulary.h"
+
+namespace murosimf {
+
+namespace {
+
+constexpr double kDefaultBlockingRadius = 0.14;  // [m]: a kid-size robot's trunk and feet
+
+MountPlace placeOn(const RobotBlueprint& b, int body, const Pose& X_BM) {
+  const RowPlace& place = b.flat.bodies[static_cast<std::size_t>(body)];
+  return {place.row, place.X_RB * X_BM};
+}
+
+std::vector<PlacedShape> shapesOf(const RobotBlueprint& b, const Colour& team_colour) {
+  std::vector<PlacedShape> shapes;
+  for (std::size_t i = 0; i < b.model.tree.bodies.size(); ++i) {
+    for (const BodyShape& s : b.model.tree.bodies[i].shapes) {
+      const MountPlace place = placeOn(b, static_cast<int>(i), s.X_BS);
+      shapes.push_back(
+          {place.row, place.X_RM, s.shape, s.team_colour ? team_colour : s.colour, s.surface, s.collides, s.drawn});
+    }
+  }
+  return shapes;
+}
+
+/// Right first, then left, whatever the order in the file.
+std::vector<SolePlace> solesOf(const RobotBlueprint& b) {
+  std::vector<SolePlace> soles;
+  for (const Side side : {Side::kRight, Side::kLeft}) {
+    for (const Sole& sole : b.model.soles) {
+      if (sole.side != side) continue;
+      soles.push_back({placeOn(b, sole.body, sole.X_BSole), sole.length / 2, sole.width / 2});
+    }
+  }
+  return soles;
+}
+
+void addJoints(World& world, ObjectId robot, const RobotBlueprint& b) {
+  std::vector<ObjectId> joints;
+  for (const Joint& joint : b.model.tree.joints) {
+    const ObjectId id = world.add(robot, joint.name);
+    joints.push_back(id);
+    world.set(id, kLowerLimit, joint.limits.lower, joint.where);
+    world.set(id, kUpperLimit, joint.limits.upper, joint.where);
+    const double fastest = joint.servo ? joint.servo->no_load_speed : joint.limits.largest_velocity;
+    world.set(id, kLargestVelocity, fastest, joint.where);
+  }
+  world.defineSubset(robot, subset::kJoints, std::move(joints));
+}
+
+void addBodies(World& world, ObjectId robot, const RobotBlueprint& b) {
+  std::vector<ObjectId> bodies;
+  for (std::size_t row = 0; row < b.flat.row_names.size(); ++row) {
+    const ObjectId id = world.add(robot, b.flat.row_names[row]);
+    bodies.push_back(id);
+    world.set(id, kMass, b.flat.row_mass[row].mass);
+  }
+  world.defineSubset(robot, subset::kBodies, std::move(bodies));
+}
+
+void addCameras(World& world, ObjectId robot, const RobotBlueprint& b) {
+  std::vector<ObjectId> cameras;
+  for (const CameraMount& camera : b.model.cameras) {
+    const ObjectId id = world.add(robot, camera.name);
+    cameras.push_back(id);
+    CameraModel lens;
+    lens.width = camera.width, lens.height = camera.height;
+    lens.fx = camera.fx, lens.fy = camera.fy, lens.cx = camera.cx, lens.cy = camera.cy, lens.skew = camera.skew;
+    lens.kc = camera.kc;
+    world.set(id, kCameraModel, lens, camera.where);
+    world.set(id, kCameraPlace, placeOn(b, camera.body, camera.X_BC), camera.where);
+    std::vector<int> hidden;
+    for (const int body : camera.hidden_bodies) hidden.push_back(b.flat.bodies[static_cast<std::size_t>(body)].row);
+    world.set(id, kHiddenRows, std::move(hidden));
+  }
+  world.defineSubset(robot, "cameras", std::move(cameras));
+}
+
+}  // namespace
+
+const std::string& rowName(const RobotBlueprint& b, int row) { return b.flat.row_names[static_cast<std::size_t>(row)]; }
+
+ObjectId addRobot(World& world, const std::string& path, const RobotBlueprint& b, const Colour& team_colour) {
+  const ObjectId robot = world.addPath(path);
+  world.set(robot, kTree, b.flat.table, b.model.where);
+  world.set(robot, kSoles, solesOf(b));
+  world.set(robot, kShapes, shapesOf(b, team_colour));
+  world.set(robot, kMass, b.model.tree.mass());
+  world.set(robot, kBlockingRadius, kDefaultBlockingRadius);
+  if (!b.model.imus.empty()) {
+    const ImuMount& imu = b.model.imus.front();
+    world.set(robot, kImuPlace, placeOn(b, imu.body, imu.X_BI), imu.where);
+  }
+  addJoints(world, robot, b);
+  addBodies(world, robot, b);
+  addCameras(world, robot, b);
+  std::vector<ObjectId> soles;
+  for (const Side side : {Side::kRight, Side::kLeft}) {
+    for (const Sole& sole : b.model.soles) {
+      if (sole.side == side) soles.push_back(world.add(robot, sole.name));
+    }
+  }
+  world.defineSubset(robot, subset::kSoles, std::move(soles));
+  for (const auto& [key, text] : b.model.properties) {
+    const ObjectId object = key.object.empty() ? robot : world.find(path + "." + key.object);
+    if (object.valid()) world.setWritten(object, key.property, {text.numbers, text.text}, text.where);
+  }
+  return robot;
+}
+
+}  // namespace murosimf

@@ -1,0 +1,151 @@
+#include "murosimf/scene/world_builder.h"
+
+#include <fmt/format.h>
+
+#include "murosimf/robot/urdf_reader.h"
+#include "murosimf/scene/module_choice.h"
+#include "murosimf/world/vocabulary.h"
+
+namespace murosimf {
+
+Colour markColour(const std::string& team) {
+  return team == "red" ? Colour{0.80F, 0.10F, 0.50F} : Colour{0.10F, 0.68F, 0.76F};
+}
+
+WorldBuilder::WorldBuilder(const Scene& scene, Diagnostics& diagnostics)
+    : scene_(scene), diagnostics_(diagnostics), world_(std::make_shared<World>()) {
+  addSurfaces();
+  addRobots();
+  if (*scene.ball.present) addBall();
+}
+
+void WorldBuilder::addFixed(const std::vector<ObjectId>& objects) {
+  participants_.fixed.insert(participants_.fixed.end(), objects.begin(), objects.end());
+}
+
+void WorldBuilder::addSurfaces() {
+  SurfaceTable table;
+  for (const SurfacePairSettings& s : scene_.surfaces) {
+    SurfacePair pair;
+    pair.normal_law = *s.law == "paper"           ? NormalLaw::kPaper
+                      : *s.law == "hunt_crossley" ? NormalLaw::kHuntCrossley
+                                                  : NormalLaw::kSmooth;
+    pair.friction_law = *s.friction_coefficient > 0 ? FrictionLaw::kCoulomb : FrictionLaw::kViscous;
+    pair.stiffness = *s.stiffness;
+    pair.restitution_factor = *s.restitution_factor;
+    pair.blend_speed = *s.blend_speed;
+    pair.dissipation = *s.dissipation;
+    pair.friction = *s.friction_coefficient;
+    pair.stick_speed = *s.stick_speed;
+    pair.viscous_friction = *s.viscous_friction;
+    pair.turning_friction = *s.turning_friction;
+    pair.rolling_resistance = *s.rolling_resistance;
+    table.set(s.first, s.second, pair);
+  }
+  world_->set(world_->root(), kSurfaceTable, std::move(table));
+}
+
+const RobotBlueprint* WorldBuilder::blueprint(const RobotSettings& robot) {
+  const std::string file = robot.file_found.string();
+  const auto found = blueprints_.find(file);
+  if (found != blueprints_.end()) return found->second.get();
+  std::unique_ptr<RobotBlueprint> made;
+  if (ReadResult model = readUrdf(file, diagnostics_)) {
+    made = std::make_unique<RobotBlueprint>();
+    made->flat = flattenTree(model->tree);
+    made->model = std::move(*model);
+  }
+  return blueprints_.emplace(file, std::move(made)).first->second.get();
+}
+
+void WorldBuilder::addRobots() {
+  for (const RobotSettings& robot : scene_.robots) {
+    const RobotBlueprint* print = blueprint(robot);
+    if (print == nullptr) continue;
+    participants_.robots.push_back(addRobot(*world_, robot.path(), *print, markColour(robot.team)));
+    for (const NamedValue& property : robot.properties) setProperty(robot, property);
+  }
+}
+
+void WorldBuilder::setProperty(const RobotSettings& robot, const NamedValue& property) {
+  const std::size_t dot = property.name.rfind('.');
+  const std::string object = dot == std::string::npos ? "" : "." + property.name.substr(0, dot);
+  const ObjectId id = world_->find(robot.path() + object);
+  if (!id.valid()) {
+    diagnostics_.error(property.name_where, fmt::format("{} has no object \"{}\"{}", robot.path(), object.substr(1),
+                                                        didYouMean(robot.path() + object, world_->paths())));
+    return;
+  }
+  const std::string name = dot == std::string::npos ? property.name : property.name.substr(dot + 1);
+  world_->setWritten(id, name, writtenValue(*property.value), property.value.where);
+}
+
+void WorldBuilder::addBall() {
+  const ObjectId ball = world_->addPath("ball");
+  const double radius = *scene_.ball.radius;
+  world_->set(ball, kMass, *scene_.ball.mass, scene_.ball.mass.where);
+  world_->set(ball, kInertiaFactor, *scene_.ball.inertia_factor, scene_.ball.inertia_factor.where);
+  world_->set(ball, kBallRadius, radius, scene_.ball.radius.where);
+  world_->set(ball, kShapes, {{0, Pose{}, makeSphere(radius), *scene_.ball.colour, "ball", true, true}});
+  participants_.free_bodies.push_back(ball);
+}
+
+std::unique_ptr<Simulation> WorldBuilder::link(const ModuleRegistry& registry, const ControlPrograms& programs) {
+  if (diagnostics_.hasErrors()) return nullptr;
+  Linker linker(*world_, registry, {*scene_.simulation.frame, *scene_.simulation.lanes});
+  linker.alsoKnows({std::string(kMass.name), std::string(kBlockingRadius.name)});
+  for (const RobotSettings& robot : scene_.robots) assignModules(linker, robot, registry);
+  attachFrame(linker, participants_);
+  std::unique_ptr<LinkedWorld> linked = linker.link(diagnostics_);
+  if (linked == nullptr) return nullptr;
+  auto simulation = std::make_unique<Simulation>(world_, std::move(linked), participants_);
+  attachControl(*simulation, programs);
+  for (const RobotSettings& robot : scene_.robots) {
+    simulation->interventions().placeRobot(0, world_->find(robot.path()), *robot.pose);
+  }
+  for (const ObjectId ball : participants_.free_bodies) {
+    const Vector3 lowest = *scene_.ball.position;
+    simulation->interventions().placeBody(0, ball, {lowest.x, lowest.y, lowest.z + *scene_.ball.radius});
+  }
+  return diagnostics_.hasErrors() ? nullptr : std::move(simulation);
+}
+
+void WorldBuilder::assignModules(Linker& linker, const RobotSettings& robot, const ModuleRegistry& registry) {
+  for (Assignment& assignment : modulesOf(robot, registry, diagnostics_)) {
+    assignment.assembly = world_->find(robot.path());
+    linker.assign(std::move(assignment));
+  }
+}
+
+client::RobotDescription WorldBuilder::describe(const RobotSettings& robot) const {
+  const RobotModel& model = blueprints_.find(robot.file_found.string())->second->model;
+  client::RobotDescription d;
+  d.model = model.name;
+  d.team = robot.team;
+  d.number = robot.number;
+  d.role = *robot.role;
+  for (const Joint& joint : model.tree.joints) {
+    d.joints.push_back({joint.name, joint.limits.lower, joint.limits.upper, joint.limits.largest_velocity,
+                        joint.limits.largest_torque});
+  }
+  for (const CameraMount& camera : model.cameras) {
+    client::CameraDescription& c = d.cameras.emplace_back();
+    c.name = camera.name;
+    c.width = camera.width, c.height = camera.height;
+    c.fx = camera.fx, c.fy = camera.fy, c.cx = camera.cx, c.cy = camera.cy, c.skew = camera.skew;
+    std::copy(camera.kc.begin(), camera.kc.end(), c.kc);
+    c.body = model.tree.bodies[static_cast<std::size_t>(camera.body)].name;
+    c.X_BC = camera.X_BC;
+    c.period = camera.period;
+  }
+  d.field = fieldDescription(scene_);
+  const bool plus = *(robot.team == "red" ? scene_.red : scene_.blue).attacks_positive_x;
+  d.attacks_positive_x = plus;
+  d.goal_colour_attacked = *(plus ? scene_.field.goal_at_plus_x : scene_.field.goal_at_minus_x);
+  d.goal_colour_defended = *(plus ? scene_.field.goal_at_minus_x : scene_.field.goal_at_plus_x);
+  d.control_period = *scene_.simulation.control_period;
+  d.seed = *scene_.simulation.seed;
+  return d;
+}
+
+}  // namespace murosimf

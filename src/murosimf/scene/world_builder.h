@@ -1,0 +1,60 @@
+#pragma once
+
+/// @file Scene -> World -> Simulation: from what a scenario says to what runs.
+///
+///     WorldBuilder builder(scene, diagnostics);        // robots and ball become objects
+///     builder.addFixed(addField(builder.world(), ...)) // whatever else stands there
+///     auto simulation = builder.link(allModules(), programs);
+///
+/// Errors are collected; link() returns null when there is one. The Scene is not needed afterwards.
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "murosimf/scene/robot_builder.h"
+#include "murosimf/scene/scene.h"
+#include "murosimf/simulation/simulation.h"
+
+namespace murosimf {
+
+/// Control software by the name that a scenario gives it.
+using ControlPrograms = std::map<std::string, std::function<std::unique_ptr<client::ControlSoftware>()>>;
+
+class WorldBuilder {
+ public:
+  WorldBuilder(const Scene& scene, Diagnostics& diagnostics);
+
+  World& world() { return *world_; }
+  const Participants& participants() const { return participants_; }
+  void addFixed(const std::vector<ObjectId>& objects);
+  /// Links modules to robots, gives them cameras and control software, and asks for the initial placements.
+  std::unique_ptr<Simulation> link(const ModuleRegistry& registry, const ControlPrograms& programs);
+  /// What control software is told about a robot.
+  client::RobotDescription describe(const RobotSettings& robot) const;
+
+ private:
+  const RobotBlueprint* blueprint(const RobotSettings& robot);
+  void addRobots();
+  void addBall();
+  void addSurfaces();
+  void setProperty(const RobotSettings& robot, const NamedValue& property);
+  void assignModules(Linker& linker, const RobotSettings& robot, const ModuleRegistry& registry);
+  std::vector<std::unique_ptr<RobotCamera>> makeCameras(const Simulation& simulation, const RobotSettings& robot);
+  std::unique_ptr<client::ControlSoftware> makeProgram(const RobotSettings& robot, const ControlPrograms& programs);
+  void attachControl(Simulation& simulation, const ControlPrograms& programs);
+  std::shared_ptr<const RayTable> raysOf(const CameraModel& lens, const SourceLocation& where);
+
+  const Scene& scene_;
+  Diagnostics& diagnostics_;
+  std::shared_ptr<World> world_;
+  Participants participants_;
+  std::map<std::string, std::unique_ptr<RobotBlueprint>> blueprints_;
+  std::vector<std::shared_ptr<const RayTable>> rays_;
+};
+
+/// The colour of the marks that a team's robots wear.
+Colour markColour(const std::string& team);
+
+}  // namespace murosimf
