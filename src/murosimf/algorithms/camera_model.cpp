@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace murosimf {
 namespace {
@@ -125,7 +126,7 @@ ImagePoint project(const CameraModel& camera, RaySlopes ray) {
   return {camera.fx * (d.x + camera.skew * d.y) + camera.cx, camera.fy * d.y + camera.cy};
 }
 
-std::optional<ImagePoint> project(const CameraModel& camera, const Vector3& p_C) {
+std::optional<ImagePoint> projectPoint(const CameraModel& camera, const Vector3& p_C) {
   if (!(p_C.z > 0.0)) return std::nullopt;
   const RaySlopes ray{p_C.x / p_C.z, p_C.y / p_C.z};
   if (std::isinf(camera.linear_from) && length(ray) > validRadius(camera)) return std::nullopt;
@@ -137,13 +138,18 @@ bool isInPicture(const CameraModel& camera, ImagePoint place) {
 }
 
 RaySlopes unproject(const CameraModel& camera, ImagePoint place) {
+  return unproject(camera, place, validRadius(camera));
+}
+
+RaySlopes unproject(const CameraModel& camera, ImagePoint place, double valid_radius) {
   RaySlopes distorted;
   distorted.y = (place.v - camera.cy) / camera.fy;
   distorted.x = (place.u - camera.cx) / camera.fx - camera.skew * distorted.y;
   RaySlopes ray = distorted;
   RaySlopes residual = difference(distort(camera, ray), distorted);
   double error = length(residual);
-  for (int i = 0; i < 50 && error > 0.0; ++i) {
+  const double enough = 1e-16 * (1.0 + length(distorted));
+  for (int i = 0; i < 50 && error > enough; ++i) {
     const DistortionJacobian j = distortionJacobian(camera, ray);
     const double determinant = j.xx * j.yy - j.xy * j.yx;
     const RaySlopes step{(j.yy * residual.x - j.xy * residual.y) / determinant,
@@ -154,13 +160,13 @@ RaySlopes unproject(const CameraModel& camera, ImagePoint place) {
       next = {ray.x - share * step.x, ray.y - share * step.y};
       next_residual = difference(distort(camera, next), distorted);
       share *= 0.5;
-    } while (!(length(next_residual) < error) && share > 1e-3);
+    } while (!(length(next_residual) < error) && share > 0.01);
     if (!(length(next_residual) < error)) break;
     ray = next, residual = next_residual, error = length(residual);
   }
   const DistortionJacobian j = distortionJacobian(camera, ray);
-  const bool folded =
-      j.xx * j.yy - j.xy * j.yx <= 0.0 || (std::isinf(camera.linear_from) && length(ray) > validRadius(camera));
+  const bool beyond = std::isinf(camera.linear_from) && length(ray) > valid_radius;
+  const bool folded = beyond || j.xx * j.yy - j.xy * j.yx <= 0.0;
   if (!(error < kWorstResidual * (1.0 + length(distorted))) || folded)
     throw std::invalid_argument(beyondLens(camera, place, distorted));
   return ray;
@@ -184,11 +190,13 @@ void checkCamera(const CameraModel& camera) {
   double sum = camera.cx + camera.cy + camera.skew;
   for (const double k : camera.kc) sum += k;
   if (!std::isfinite(sum)) throw std::invalid_argument("cx, cy, skew and kc must be finite numbers");
-  const int right = camera.width - 1, bottom = camera.height - 1;
-  for (const double v : {0.0, static_cast<double>(bottom)})  // corners first: they lie farthest out
-    for (const double u : {0.0, static_cast<double>(right)}) unproject(camera, {u, v});
-  for (int u = 0; u <= right; ++u) unproject(camera, {double(u), 0.0}), unproject(camera, {double(u), double(bottom)});
-  for (int v = 0; v <= bottom; ++v) unproject(camera, {0.0, double(v)}), unproject(camera, {double(right), double(v)});
+  const double limit = validRadius(camera), right = camera.width - 1, bottom = camera.height - 1;
+  for (const double v : {0.0, bottom})  // corners first: they lie farthest out
+    for (const double u : {0.0, right}) unproject(camera, {u, v}, limit);
+  for (int u = 0; u < camera.width; ++u)
+    for (const double v : {0.0, bottom}) unproject(camera, {static_cast<double>(u), v}, limit);
+  for (int v = 0; v < camera.height; ++v)
+    for (const double u : {0.0, right}) unproject(camera, {u, static_cast<double>(v)}, limit);
 }
 
 }  // namespace murosimf

@@ -61,12 +61,14 @@ ImagePoint project(const CameraModel& camera, RaySlopes ray);
 
 /// Where a point is seen; nothing when it lies behind the camera or beyond what the lens can see. The place may lie
 /// outside the picture: ask isInPicture().
-std::optional<ImagePoint> project(const CameraModel& camera, const Vector3& p_C);
+std::optional<ImagePoint> projectPoint(const CameraModel& camera, const Vector3& p_C);
 bool isInPicture(const CameraModel& camera, ImagePoint place);
 
 /// The ray that falls on a place of the picture: project() backwards, by Newton's method, to a residual of some 1e-16.
 /// @throws std::invalid_argument, naming the angle, when no ray falls there.
 RaySlopes unproject(const CameraModel& camera, ImagePoint place);
+/// The same for many places: valid_radius is what validRadius() says of this camera.
+RaySlopes unproject(const CameraModel& camera, ImagePoint place, double valid_radius);
 
 /// Smallest slope r at which r L(r) stops growing; infinity when it never does.
 double validRadius(const CameraModel& camera);

@@ -122,7 +122,7 @@ inline void addStrip(const Tile& tile, const CastGround& g, int strip, bool side
   const FormInTile across = inTile({g.across_x[strip], g.across_y[strip], g.across_one[strip]}, tile.rays);
   const FormInTile along = inTile({g.along_x[strip], g.along_y[strip], g.along_one[strip]}, tile.rays);
   forPacks<S>(tile, [&](int i) {
-    const auto painted = load<S>(tile.buffer.label + i) == S(0.0F);
+    const auto painted = load<S>(tile.buffer.label + i) == S(kGround);
     if (laneBits(painted) == 0) return;
     const S x = load<S>(tile.x + i), y = load<S>(tile.y + i), w = load<S>(tile.buffer.w + i);
     S cover(1.0F);
@@ -154,7 +154,7 @@ template <class S>
 inline void addRing(const Tile& tile, const CastGround& g, const CastRing& ring) {
   const FormInTile ground = inTile(g.w, tile.rays), rx = inTile(ring.x, tile.rays), ry = inTile(ring.y, tile.rays);
   forPacks<S>(tile, [&](int i) {
-    const auto painted = load<S>(tile.buffer.label + i) == S(0.0F);
+    const auto painted = load<S>(tile.buffer.label + i) == S(kGround);
     if (laneBits(painted) == 0) return;
     const S x = load<S>(tile.x + i), y = load<S>(tile.y + i), w = load<S>(tile.buffer.w + i);
     const S px = evaluate(ring.x, x, y), py = evaluate(ring.y, x, y), z = S(1.0F) / w;
@@ -177,7 +177,7 @@ inline void addShadows(const Tile& tile) {
     if (shadow.kind != CastKind::kShadow) return;
     forPacksWithin<S>(tile, row.x_low[k], row.x_high[k], row.y_low[k], row.y_high[k], [&](int i) {
       TileBuffer& b = tile.buffer;
-      const auto on_ground = load<S>(b.label + i) == S(0.0F);
+      const auto on_ground = load<S>(b.label + i) == S(kGround);
       if (laneBits(on_ground) == 0) return;
       const S x = load<S>(tile.x + i), y = load<S>(tile.y + i), z = S(1.0F) / load<S>(b.w + i);
       const S dx = evaluate(shadow.offset[0], x, y) * z, dy = evaluate(shadow.offset[1], x, y) * z;
@@ -202,7 +202,7 @@ inline void castPlane(const Tile& tile, const CastColour& ground_colour) {
     store(b.red + i, select(ground, S(g.red), S(sky.red)));
     store(b.green + i, select(ground, S(g.green), S(sky.green)));
     store(b.blue + i, select(ground, S(g.blue), S(sky.blue)));
-    store(b.label + i, select(ground, S(0.0F), S(65535.0F)));
+    store(b.label + i, select(ground, S(kGround), S(kSky)));
     if (tile.job.antialias) store(b.surface + i, select(ground, S(-1.0F), S(-2.0F)));
   });
 }
@@ -212,7 +212,7 @@ template <class S>
 inline void mixPaint(const Tile& tile, const CastGround& g) {
   forPacks<S>(tile, [&](int i) {
     TileBuffer& b = tile.buffer;
-    const auto ground = load<S>(b.label + i) == S(0.0F);
+    const auto ground = load<S>(b.label + i) == S(kGround);
     if (laneBits(ground) == 0) return;
     const S carpet = load<S>(b.carpet + i), paint = min(load<S>(b.paint + i), S(1.0F));
     const auto mix = [&](float* plane, float surroundings, float of_carpet, float of_paint) {

@@ -76,41 +76,59 @@ inline void storeColours(const std::uint32_t* words, std::uint8_t* rgb) {
   __builtin_memcpy(rgb + 32, &third, sizeof third);
 }
 
-/// Depth and labels of a row of a tile; `count` pixels of it lie in the picture.
+/// Sixteen depths and labels of a row of a tile; labels are cut to 0..65535.
 template <class S>
-inline void storeDepth(const TileBuffer& b, int first, int count, float* depth) {
-  float row[kTileSize];
+inline void storeDepths(const TileBuffer& b, int first, float* depth) {
   for (int column = 0; column < kTileSize; column += Lanes<S>::kWidth)
-    store(row + column, S(1.0F) / load<S>(b.w + first + column));
-  __builtin_memcpy(depth, row, static_cast<unsigned>(count) * sizeof(float));
+    store(depth + column, S(1.0F) / load<S>(b.w + first + column));
 }
-inline void storeLabels(const TileBuffer& b, int first, int count, std::uint16_t* label) {
-  std::uint16_t row[kTileSize];
-  for (int column = 0; column < kTileSize; ++column)
-    row[column] = static_cast<std::uint16_t>(static_cast<std::int32_t>(b.label[first + column]));
-  __builtin_memcpy(label, row, static_cast<unsigned>(count) * sizeof(std::uint16_t));
+inline void storeLabels(const TileBuffer& b, int first, std::uint16_t* label) {
+  for (int column = 0; column < kTileSize; column += 8) {
+    __m128 low, high;
+    __builtin_memcpy(&low, b.label + first + column, sizeof low);
+    __builtin_memcpy(&high, b.label + first + column + 4, sizeof high);
+    const __m128i words = _mm_packus_epi32(_mm_cvttps_epi32(low), _mm_cvttps_epi32(high));
+    __builtin_memcpy(label + column, &words, sizeof words);
+  }
+}
+
+/// Sixteen finished pixels.
+struct RowOfTile {
+  std::uint8_t rgb[3 * kTileSize];
+  float depth[kTileSize];
+  std::uint16_t label[kTileSize];
+};
+
+/// Writes row `first / 16` of a tile. `pixel`: number of its first pixel in the picture.
+template <class S>
+inline void storeRow(const CastJob& job, const TileBuffer& b, int first, std::uint32_t pixel, std::uint8_t* rgb,
+                     float* depth, std::uint16_t* label) {
+  alignas(64) std::uint32_t words[kTileSize];
+  makeWords<S>(job, b, first, pixel, words);
+  storeColours(words, rgb);
+  if (depth) storeDepths<S>(b, first, depth);
+  if (label) storeLabels(b, first, label);
 }
 
 /// Last pass: writes the part of a tile that lies in the job's rows and in the picture.
 template <class S>
 inline void storeTile(const CastJob& job, const TileBuffer& b, int left, int top) {
-  const int count = job.width - left < kTileSize ? job.width - left : kTileSize;
+  const int count = job.width - left;
   for (int row = 0; row < kTileSize; ++row) {
     const int v = top + row, first = row * kTileSize;
     if (v < job.first_row || v >= job.last_row) continue;
     const auto pixel =
         static_cast<std::uint32_t>(v) * static_cast<std::uint32_t>(job.width) + static_cast<std::uint32_t>(left);
-    alignas(64) std::uint32_t words[kTileSize];
-    makeWords<S>(job, b, first, pixel, words);
-    if (count == kTileSize) {
-      storeColours(words, job.rgb + 3UL * pixel);
-    } else {
-      std::uint8_t bytes[3 * kTileSize];
-      storeColours(words, bytes);
-      __builtin_memcpy(job.rgb + 3UL * pixel, bytes, 3U * static_cast<unsigned>(count));
+    if (count >= kTileSize) {
+      storeRow<S>(job, b, first, pixel, job.rgb + 3UL * pixel, job.depth ? job.depth + pixel : nullptr,
+                  job.label ? job.label + pixel : nullptr);
+      continue;
     }
-    if (job.depth) storeDepth<S>(b, first, count, job.depth + pixel);
-    if (job.label) storeLabels(b, first, count, job.label + pixel);
+    RowOfTile part;
+    storeRow<S>(job, b, first, pixel, part.rgb, part.depth, part.label);
+    for (int i = 0; i < 3 * count; ++i) job.rgb[3UL * pixel + static_cast<unsigned>(i)] = part.rgb[i];
+    for (int i = 0; job.depth && i < count; ++i) job.depth[pixel + static_cast<unsigned>(i)] = part.depth[i];
+    for (int i = 0; job.label && i < count; ++i) job.label[pixel + static_cast<unsigned>(i)] = part.label[i];
   }
 }
 

@@ -14,12 +14,16 @@ inline namespace MUROSIMF_ISA {
 /// Rows of a tile as bits.
 inline constexpr unsigned kAllRows = (1U << kTileSize) - 1;
 
-/// 255 pixels' worth of everything: [row][column].
+/// Labels of a tile's pixels that see no drawable. The ground is negative, apart from drawables that have its label 0;
+/// it is written as 0.
+inline constexpr float kSky = 65535.0F, kGround = -1.0F;
+
+/// Everything of 256 pixels: [row][column].
 struct alignas(64) TileBuffer {
   float x[kTilePixels], y[kTilePixels];  ///< slopes, when they are not those of the table
   float w[kTilePixels];                  ///< inverse depth of the nearest surface so far
   float red[kTilePixels], green[kTilePixels], blue[kTilePixels];
-  float label[kTilePixels];                       ///< 65535 sky, 0 ground, as float
+  float label[kTilePixels];                       ///< of the drawable seen, kSky or kGround
   float surface[kTilePixels];                     ///< -2 sky, -1 ground, else index: written when antialiasing only
   float carpet[kTilePixels], paint[kTilePixels];  ///< share of the pixel's footprint that is carpet, is painted
 };

@@ -10,13 +10,19 @@
 namespace murosimf {
 
 /// Filled by prepareScene(), read by castRows(). Nothing in it needs to be known by its owner; its vectors keep their
-/// memory. Not to be copied once filled: `cast` points into the vectors.
+/// memory. Moved, not copied: `cast` points into the vectors.
 struct PreparedScene {
   /// A surface's rectangle of slopes, nearest inverse depth and place in `surfaces`.
   struct Extent {
     float x_low, x_high, y_low, y_high, nearest;
     std::int32_t surface;
   };
+
+  PreparedScene() = default;
+  PreparedScene(const PreparedScene&) = delete;
+  PreparedScene& operator=(const PreparedScene&) = delete;
+  PreparedScene(PreparedScene&&) = default;
+  PreparedScene& operator=(PreparedScene&&) = default;
 
   CastScene cast{};
   std::vector<CastSurface> surfaces;

@@ -46,8 +46,7 @@ void prepareScene(const RayTable& rays, const RayScene& scene, const Pose& X_WC,
   work.surfaces.clear(), work.extents.clear();
   work.cast.has_shadows = 0;
   for (const Drawable& drawable : scene.drawables) {
-    if (std::find(hidden.begin(), hidden.end(), drawable.owner) != hidden.end()) continue;
-    addSurface(view, drawable, work);
+    if (std::find(hidden.begin(), hidden.end(), drawable.owner) == hidden.end()) addSurface(view, drawable, work);
     if (scene.ground_shadows) addShadow(view, drawable, work);
   }
   setGround(view, scene, work);

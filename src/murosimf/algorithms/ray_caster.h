@@ -46,7 +46,8 @@ struct CastOptions {
 };
 
 /// Puts a scene into the camera's frame, sorts it front to back, drops what the camera does not show. Overwrites work.
-/// X_WC: pose of the camera (x right, y down, z forward). hidden: owners that this camera does not draw.
+/// X_WC: pose of the camera (x right, y down, z forward). hidden: owners that this camera does not draw;
+/// their shadows stay. For a rolling shutter, prepare and cast band by band with the pose of each.
 void prepareScene(const RayTable& rays, const RayScene& scene, const Pose& X_WC, std::span<const std::uint32_t> hidden,
                   PreparedScene& work);
 

@@ -43,6 +43,7 @@ RayTable::RayTable(const CameraModel& camera)
       tile_columns_((camera.width + kTileSize - 1) / kTileSize),
       tile_rows_((camera.height + kTileSize - 1) / kTileSize) {
   checkCamera(camera);
+  const double limit = validRadius(camera);
   const auto tile_count = static_cast<std::size_t>(tile_columns_) * static_cast<std::size_t>(tile_rows_);
   x_.resize(tile_count * kTilePixels);
   y_.resize(tile_count * kTilePixels);
@@ -57,7 +58,7 @@ RayTable::RayTable(const CameraModel& camera)
     for (int i = 0; i < kTilePixels; ++i) {
       const int u = std::min(left + i % kTileSize, camera.width - 1),
                 v = std::min(top + i / kTileSize, camera.height - 1);
-      const RaySlopes ray = unproject(camera, {static_cast<double>(u), static_cast<double>(v)});
+      const RaySlopes ray = unproject(camera, {static_cast<double>(u), static_cast<double>(v)}, limit);
       x[i] = static_cast<float>(ray.x), y[i] = static_cast<float>(ray.y);
     }
     findRanges(x, y, tiles_[k]);

@@ -10,7 +10,7 @@ namespace murosimf {
 namespace {
 
 constexpr double kNearest = 1e-4;      ///< what is nearer to the camera's plane counts as this near [m]
-constexpr double kShadowHeight = 0.3;  ///< drawables higher above the ground cast no patch [m]
+constexpr double kShadowHeight = 0.12;  ///< drawables higher above the ground cast no patch [m]
 constexpr double kShadowStrength = 0.45;
 
 LinearForm formOf(const Vector3& v) {
@@ -81,7 +81,7 @@ bool prepareBox(const CameraView& view, const Drawable& drawable, const UnitFram
   return s.fronts > 0;
 }
 
-bool prepareEllipsoid(const CameraView& view, const UnitFrame& f, CastSurface& s) {
+bool prepareEllipsoid(const UnitFrame& f, CastSurface& s) {
   s.kind = CastKind::kEllipsoid;
   const double c = squaredNorm(f.o) - 1.0;
   if (c < 1e-9) return false;
@@ -92,7 +92,6 @@ bool prepareEllipsoid(const CameraView& view, const UnitFrame& f, CastSurface& s
     s.gradient[i] = formOf(f.row[0] * f.row[0][i] + f.row[1] * f.row[1][i] + f.row[2] * f.row[2][i]);  // M^T M
     s.gradient_w[i] = static_cast<float>(outward[i]);
   }
-  static_cast<void>(view);
   return true;
 }
 
@@ -176,6 +175,32 @@ void setStrips(const CameraView& view, const PaintedGround& ground, PreparedScen
   g.strip_count = static_cast<std::int32_t>(count);
 }
 
+/// Half of the drawable's extent along z of W [m].
+double heightRange(const Drawable& drawable) {
+  const Vector3& h = drawable.shape.half_size;
+  const Rotation3& r = drawable.X_WS.rotation;
+  const double x = std::fabs(r.x.z) * h.x, y = std::fabs(r.y.z) * h.y, z = std::fabs(r.z.z) * h.z;
+  if (drawable.shape.kind == ShapeKind::kBox) return x + y + z;
+  const double across = std::sqrt(x * x + y * y);
+  return drawable.shape.kind == ShapeKind::kCylinder ? across + z : std::sqrt(across * across + z * z);
+}
+
+/// An ellipse on the ground, L L^T with L = [xx 0; yx yy] [m]: points b + L e, |e| <= 1.
+struct Patch {
+  double xx, yx, yy;
+};
+/// A little larger than the drawable seen from above, the more the higher it hangs.
+Patch patchBeneath(const Drawable& drawable, double gap) {
+  const Vector3& h = drawable.shape.half_size;
+  const Rotation3& r = drawable.X_WS.rotation;
+  const Vector3 axis[3] = {r.x * h.x, r.y * h.y, r.z * h.z};
+  const double spread = 0.01 + 0.5 * gap;
+  double xx = spread * spread, xy = 0.0, yy = spread * spread;
+  for (const Vector3& a : axis) xx += 3.0 * a.x * a.x, xy += 3.0 * a.x * a.y, yy += 3.0 * a.y * a.y;
+  const double first = std::sqrt(xx), cross_term = xy / first;
+  return {first, cross_term, std::sqrt(yy - cross_term * cross_term)};
+}
+
 }  // namespace
 
 CameraView viewOf(const RayScene& scene, const Pose& X_WC) {
@@ -193,7 +218,7 @@ void addSurface(const CameraView& view, const Drawable& drawable, PreparedScene&
   if (seen.isEmpty()) return;
   CastSurface s{};
   const bool visible = drawable.shape.kind == ShapeKind::kBox         ? prepareBox(view, drawable, frame, s)
-                       : drawable.shape.kind == ShapeKind::kEllipsoid ? prepareEllipsoid(view, frame, s)
+                       : drawable.shape.kind == ShapeKind::kEllipsoid ? prepareEllipsoid(frame, s)
                                                                       : prepareCylinder(view, drawable, frame, s);
   if (!visible) return;
   s.label = drawable.label;
@@ -206,20 +231,22 @@ void addSurface(const CameraView& view, const Drawable& drawable, PreparedScene&
 }
 
 void addShadow(const CameraView& view, const Drawable& drawable, PreparedScene& work) {
-  const Vector3& p_W = drawable.X_WS.translation;
-  const double size = boundingRadius(drawable.shape);
-  const double gap = std::max(p_W.z - size, 0.0);
   const Vector3 lamp_W = view.X_WC.rotation * view.lamp_C;
-  if (gap > kShadowHeight || p_W.z < -size || lamp_W.z < 0.05) return;
-  const double radius = 1.3 * size + 0.5 * gap;
-  const Vector3 middle_W{p_W.x - lamp_W.x / lamp_W.z * p_W.z, p_W.y - lamp_W.y / lamp_W.z * p_W.z, 0.0};
+  const Vector3& p_W = drawable.X_WS.translation;
+  const double half_height = heightRange(drawable), gap = std::max(p_W.z - half_height, 0.0);
+  if (gap > kShadowHeight || p_W.z < -half_height || lamp_W.z < 0.1) return;
+  const Patch patch = patchBeneath(drawable, gap);
+  const double drop = gap + std::min(half_height, 0.1);  // the patch of a post lies at its foot
+  const Vector3 middle_W{p_W.x - lamp_W.x / lamp_W.z * drop, p_W.y - lamp_W.y / lamp_W.z * drop, 0.0};
+  const Rotation3& R_WC = view.X_WC.rotation;
   const SlopeRectangle seen =
-      rectangleOfDisc(applyInverse(view.X_WC, middle_W), applyTransposed(view.X_WC.rotation, Vector3{0, 0, 1}), radius);
+      rectangleOfEllipse(applyInverse(view.X_WC, middle_W), applyTransposed(R_WC, Vector3{patch.xx, patch.yx, 0.0}),
+                         applyTransposed(R_WC, Vector3{0.0, patch.yy, 0.0}));
   if (seen.isEmpty()) return;
   CastSurface s{};
   s.kind = CastKind::kShadow;
-  s.offset[0] = groundForm(view, 1.0 / radius, 0.0, middle_W.x, middle_W.y);
-  s.offset[1] = groundForm(view, 0.0, 1.0 / radius, middle_W.x, middle_W.y);
+  s.offset[0] = groundForm(view, 1.0 / patch.xx, 0.0, middle_W.x, middle_W.y);
+  s.offset[1] = groundForm(view, -patch.yx / (patch.xx * patch.yy), 1.0 / patch.yy, middle_W.x, middle_W.y);
   s.strength = static_cast<float>((1.0 - view.ambient) * kShadowStrength * (1.0 - gap / kShadowHeight));
   work.cast.has_shadows = 1;
   work.extents.push_back(

@@ -84,10 +84,8 @@ SlopeRectangle rectangleOf(const Shape& shape, const Pose& X_CS) {
   return widened(x, y);
 }
 
-SlopeRectangle rectangleOfDisc(const Vector3& middle_C, const Vector3& normal_C, double radius) {
-  const Vector3 helper = std::fabs(normal_C.x) < 0.6 ? Vector3{1, 0, 0} : Vector3{0, 1, 0};
-  const Vector3 first = normalized(cross(normal_C, helper)), second = cross(normal_C, first);
-  const Vector3 axis[3] = {first * radius, second * radius, {0, 0, 0}};
+SlopeRectangle rectangleOfEllipse(const Vector3& middle_C, const Vector3& first_C, const Vector3& second_C) {
+  const Vector3 axis[3] = {first_C, second_C, {0, 0, 0}};
   Range x, y;
   if (!includeEllipsoid(middle_C, axis, x, y)) x = y = {}, includeBox(middle_C, axis, x, y);
   return widened(x, y);

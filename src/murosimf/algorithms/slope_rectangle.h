@@ -17,7 +17,7 @@ struct SlopeRectangle {
 /// A thousandth wider than exact, so that no rounding of rays leaves it. Parts behind the camera's plane are cut off.
 SlopeRectangle rectangleOf(const Shape& shape, const Pose& X_CS);
 
-/// Rectangle of a flat disc.
-SlopeRectangle rectangleOfDisc(const Vector3& middle_C, const Vector3& normal_C, double radius);
+/// Rectangle of the flat ellipse of points middle + a first + b second, a^2 + b^2 <= 1.
+SlopeRectangle rectangleOfEllipse(const Vector3& middle_C, const Vector3& first_C, const Vector3& second_C);
 
 }  // namespace murosimf
