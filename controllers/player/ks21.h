@@ -6,6 +6,7 @@
 /// right hand about +x (roll), +y (pitch), +z (yaw). No axis is mirrored: outwards is negative roll on the right.
 
 #include <array>
+#include <string_view>
 
 #include "murosimf/math/elementary.h"
 
@@ -14,6 +15,16 @@ namespace murosimf::controllers {
 inline constexpr int kJointCount = 21;
 using JointAngles = std::array<double, kJointCount>;  ///< [rad], in the order of sensor and command frames
 using LegAngles = std::array<double, 6>;              ///< hip yaw, hip roll, hip pitch, knee, ankle pitch, ankle roll
+
+/// Names of the joints, and of the body that carries the head camera; all other cameras sit on the trunk.
+inline constexpr std::array<std::string_view, kJointCount> kJointNames{
+    "waist_yaw",           "head_pan",          "head_tilt",           "shoulder_pitch_right",
+    "shoulder_roll_right", "elbow_right",       "shoulder_pitch_left", "shoulder_roll_left",
+    "elbow_left",          "hip_yaw_right",     "hip_roll_right",      "hip_pitch_right",
+    "knee_right",          "ankle_pitch_right", "ankle_roll_right",    "hip_yaw_left",
+    "hip_roll_left",       "hip_pitch_left",    "knee_left",           "ankle_pitch_left",
+    "ankle_roll_left"};
+inline constexpr std::string_view kHeadBody = "skull";
 
 inline constexpr int kRight = 0, kLeft = 1;
 inline constexpr int kWaistYaw = 0, kHeadPan = 1, kHeadTilt = 2;

@@ -67,7 +67,7 @@ Posture computePosture(const client::RobotDescription& robot, std::span<const cl
 
   posture.X_RC.reserve(robot.cameras.size());
   for (const client::CameraDescription& camera : robot.cameras) {
-    const bool on_head = camera.body.find("head") != std::string::npos;
+    const bool on_head = camera.body == kHeadBody;
     posture.X_RC.push_back(posture.X_RP * (on_head ? headPose(joints) : trunkPose(joints)) * camera.X_BC);
   }
   return posture;

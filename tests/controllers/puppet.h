@@ -23,9 +23,14 @@ inline PlanarPose between(const PlanarPose& a, const PlanarPose& b) {
 inline client::RobotDescription makeRobot() {
   client::RobotDescription robot;
   robot.joints.resize(kJointCount);
+  for (std::size_t i = 0; i < kJointNames.size(); ++i) robot.joints[i].name = kJointNames[i];
   robot.cameras.resize(2);
-  robot.cameras[0].body = "head_tilt", robot.cameras[1].body = "trunk";
+  robot.cameras[0].body = std::string(kHeadBody), robot.cameras[1].body = "trunk";
   const Rotation3 R_BC{{0, -1, 0}, {0, 0, -1}, {1, 0, 0}};  // C: x right, y down, z forward
+  robot.cameras[0].width = 640, robot.cameras[0].height = 480;
+  robot.cameras[0].fx = robot.cameras[0].fy = 554.26, robot.cameras[0].cx = 319.5, robot.cameras[0].cy = 239.5;
+  robot.cameras[1].width = 320, robot.cameras[1].height = 240;
+  robot.cameras[1].fx = robot.cameras[1].fy = 134.26, robot.cameras[1].cx = 159.5, robot.cameras[1].cy = 119.5;
   robot.cameras[0].X_BC = {R_BC, {kEyeForward, 0, kEyeUp}};
   robot.cameras[1].X_BC = {rotationY(degrees(20)) * R_BC, {0.055, 0, 0.070}};
   robot.field = {4.5, 3.0, 1.5, 0.9, 0.5, 0.04, 0.05, 0.5, 0.6, 0.5, 1.9, 1.5, 0.07, 0.1, 0.6};
@@ -45,6 +50,8 @@ class Puppet {
     if (moved_) pose_ = compose(pose_, odometryIncrement(posture_, now));
     posture_ = now, moved_ = true;
   }
+  /// Puts it elsewhere by hand; the joints stay.
+  void place(const PlanarPose& pose) { pose_ = pose; }
   const PlanarPose& pose() const { return pose_; }  ///< of frame R on the field
   const Posture& posture() const { return posture_; }
   const std::vector<client::JointReading>& readings() const { return readings_; }

@@ -1,0 +1,172 @@
+#include "behaviour.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace murosimf::controllers {
+
+namespace {
+
+constexpr double kLongestWait = 10.0;   // for the opponents' kick-off [s]
+constexpr double kMovedDistance = 0.2;  // a ball this far from where it lay has been kicked off [m]
+constexpr double kSweepTime = 1.5, kTurnTime = 11.0, kTurnRate = 0.65;  // search [s], [s], [rad/s]
+constexpr double kStepBackTime = 4.0;                                   // [s]
+constexpr double kStayBonus = 1.0;  // who is on the way to the ball keeps going unless a mate is this much faster [s]
+constexpr double kNoCost = 1e9;
+
+double clampAge(double age) { return std::min(age, 5.0); }
+
+}  // namespace
+
+void Behaviour::start(const client::RobotDescription& robot) { pitch_ = Pitch::of(robot.field); }
+
+void Behaviour::restart() {
+  approach_.restart();
+  attacks_ = at_place_ = last_near_ = false;
+  searched_ = 0;
+}
+
+void Behaviour::updateKickoff(const Situation& now) {
+  const bool begins = now.game.phase == client::GamePhase::kPlaying && phase_ != client::GamePhase::kPlaying;
+  phase_ = now.game.phase;
+  if (begins) waits_ = !now.game.own_kickoff, waited_ = 0, waits_saw_ball_ = false;
+  if (!waits_) return;
+  waited_ += now.dt;
+  if (now.ball_known && !waits_saw_ball_) waits_ball_R_ = now.ball_R, waits_saw_ball_ = true;  // the robot stands still
+  const bool moved = waits_saw_ball_ && now.ball_known && norm(now.ball_R - waits_ball_R_) > kMovedDistance;
+  if (moved || waited_ > kLongestWait) waits_ = false;
+}
+
+Behaviour::BallPlace Behaviour::ballPlace(const Situation& now) {
+  if (now.ball_known) return {true, now.ball_F()};
+  return {now.team_ball_known, now.team_ball_F};
+}
+
+double Behaviour::ownCost(const Situation& now, const BallPlace& ball) const {
+  if (!ball.known) return kNoCost;
+  const bool leaves_it = now.role == Role::kKeeper && !inKeeperZone(pitch_, ball.p_F, attacks_ ? 0.3 : 0.0);
+  if (leaves_it) return kNoCost;
+  Situation seen = now;
+  if (!now.ball_known) seen.ball_R = transformedBack(now.X_FR, ball.p_F), seen.ball_age = 2, seen.ball_velocity_R = {};
+  seen.ball_age = clampAge(seen.ball_age);
+  return BallApproach::cost(seen, pitch_);
+}
+
+bool Behaviour::goesToBall(const Situation& now, const BallPlace& ball) {
+  cost_ = ownCost(now, ball);
+  if (cost_ >= kNoCost) return false;
+  if (attacks_) cost_ = std::max(0.0, cost_ - kStayBonus);
+  return cheapestToBall(now.number, cost_, now.mates);
+}
+
+Play Behaviour::step(const Situation& now, bool head_glances) {
+  updateKickoff(now);
+  const BallPlace ball = ballPlace(now);
+  if (now.ball_known && std::fabs(now.ball_R.y) > 0.1) last_side_ = now.ball_R.y > 0 ? 1 : -1;
+  if (now.ball_known) last_near_ = norm(now.ball_R) < 0.3;
+  searched_ = ball.known ? 0.0 : searched_ + now.dt;
+  cost_ = kNoCost;
+  const Decision decision = decide(now, ball);
+  return {decision.motion, headRequest(now, decision.head, head_glances), cost_, decision.activity};
+}
+
+Decision Behaviour::decide(const Situation& now, const BallPlace& ball) {
+  const HeadRequest::Kind look = now.ball_known ? HeadRequest::Kind::kBallAndField : HeadRequest::Kind::kSearch;
+  if (now.game.phase != client::GamePhase::kPlaying || now.game.penalised) {
+    restart();
+    return {{}, look, "stand"};
+  }
+  if (waits_) return {{}, look, "wait for kick-off"};
+  if (now.kicking) {
+    approach_.restart();
+    const bool ball_away = now.kick_time > kKickContactTime;
+    cost_ = ball_away ? ownCost(now, ball) + kKickTime - now.kick_time : 0.0;
+    return {{}, now.ball_known ? HeadRequest::Kind::kWatchBall : HeadRequest::Kind::kSearch, "kick"};
+  }
+  return ball.known ? play(now, ball) : search(now);
+}
+
+Decision Behaviour::search(const Situation& now) {
+  attacks_ = false;
+  approach_.restart();
+  const bool looks_first = searched_ < kSweepTime || now.role == Role::kKeeper;
+  const bool turns = searched_ < kSweepTime + kTurnTime && now.role != Role::kKeeper;
+  if (looks_first || turns) {
+    Decision decision{{}, HeadRequest::Kind::kSearch, "search"};
+    if (looks_first && now.role == Role::kKeeper && searched_ > kSweepTime) {
+      decision = keepPlace(now, homePlace(pitch_, now.role), {0, 0}, "search");
+    } else if (last_near_ && now.role != Role::kKeeper && searched_ < kStepBackTime) {
+      decision.motion = {MotionRequest::Kind::kWalk, {-0.08, 0, 0}, kRight};  // it lies between the feet
+    } else if (!looks_first) {
+      decision.motion = {MotionRequest::Kind::kWalk, {0, 0, last_side_ * kTurnRate}, kRight};
+    }
+    decision.head = HeadRequest::Kind::kSearch;
+    return decision;
+  }
+  Decision decision = keepPlace(now, homePlace(pitch_, now.role), {0, 0}, "search");
+  if (at_place_) searched_ = 0;  // turns once more from there
+  decision.head = HeadRequest::Kind::kSearch;
+  return decision;
+}
+
+Decision Behaviour::play(const Situation& now, const BallPlace& ball) {
+  attacks_ = goesToBall(now, ball);
+  if (attacks_) {
+    at_place_ = false;
+    return attack(now, ball);
+  }
+  approach_.restart();
+  if (now.role == Role::kKeeper) return keepPlace(now, keeperPlace(pitch_, ball.p_F), ball.p_F, "keep");
+  const Point own{now.X_FR.x, now.X_FR.y};
+  return keepPlace(now, supportPlace(pitch_, now.role, ball.p_F, own), ball.p_F, "support");
+}
+
+Decision Behaviour::attack(const Situation& now, const BallPlace& ball) {
+  if (now.ball_known) return approach_.step(now, pitch_);
+  // A mate sees it: go there and look for it on the way.
+  const Point ball_R = transformedBack(now.X_FR, ball.p_F);
+  const Point way = detour(ball_R, now.robots_R, 0.32, 0.35);
+  WalkCommand walk = walkTo({way.x, way.y, direction(ball_R)});
+  if (norm(ball_R) < 0.6) walk = turnTo(direction(ball_R)), walk.vx = -0.06;  // perhaps it lies between the feet
+  return {{MotionRequest::Kind::kWalk, walk, kRight}, HeadRequest::Kind::kSearch, "go to told ball"};
+}
+
+Decision Behaviour::keepPlace(const Situation& now, const Point& place_F, const Point& facing_F, const char* activity) {
+  const Point place_R = transformedBack(now.X_FR, place_F), facing_R = transformedBack(now.X_FR, facing_F);
+  const double distance = norm(place_R), bearing = direction(facing_R);
+  const bool keeper = now.role == Role::kKeeper;
+  const double leave = keeper ? 0.10 : 0.30, arrive = keeper ? 0.04 : 0.12;
+  at_place_ = at_place_ ? distance < leave && std::fabs(bearing) < degrees(35)
+                        : distance < arrive && std::fabs(bearing) < degrees(12);
+  Decision decision{{}, now.ball_known ? HeadRequest::Kind::kBallAndField : HeadRequest::Kind::kSearch, activity};
+  if (at_place_) return decision;
+  const Point way = detour(place_R, now.robots_R, 0.32, 0.0);
+  decision.motion = {MotionRequest::Kind::kWalk, walkTo({way.x, way.y, bearing}, 0.2), kRight};
+  return decision;
+}
+
+Vector3 Behaviour::landmark(const Situation& now) const {
+  const std::array<Point, 4> places{pitch_.attackedGoal(), Point{0, pitch_.half_width}, pitch_.ownGoal(),
+                                    Point{0, -pitch_.half_width}};
+  const Point p_R = transformedBack(now.X_FR, places[static_cast<std::size_t>(landmark_)]);
+  return {p_R.x, p_R.y, 0.25};
+}
+
+HeadRequest Behaviour::headRequest(const Situation& now, HeadRequest::Kind kind, bool head_glances) {
+  HeadRequest request{kind, {now.ball_R.x, now.ball_R.y, pitch_.ball_radius}, {}, false};
+  if (!head_glances) landmark_ = static_cast<int>(std::floor(now.time / 2.3)) % 4;
+  for (int tried = 0; tried < 4 && !request.has_landmark; ++tried) {
+    request.landmark = landmark(now);
+    const Point p{request.landmark.x, request.landmark.y};
+    request.has_landmark = head_glances || (norm(p) > 0.7 && std::fabs(direction(p)) < degrees(80));
+    if (!request.has_landmark) landmark_ = (landmark_ + 1) % 4;
+  }
+  return request;
+}
+
+void Behaviour::archive(client::StateArchive& archive) {
+  archive(approach_, phase_, waits_, waited_, waits_saw_ball_, waits_ball_R_, attacks_, at_place_, searched_,
+          last_side_, last_near_, landmark_, cost_);
+}
+
+}  // namespace murosimf::controllers

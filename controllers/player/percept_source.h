@@ -1,0 +1,26 @@
+#pragma once
+
+/// @file Where percepts come from: the vision, or in tests an exact substitute.
+
+#include <memory>
+
+#include "murosimf/control/client/robot_description.h"
+#include "murosimf/control/client/state_archive.h"
+#include "percepts.h"
+#include "posture.h"
+
+namespace murosimf::controllers {
+
+class PerceptSource {
+ public:
+  virtual ~PerceptSource() = default;
+  virtual void start(const client::RobotDescription& robot) = 0;
+  /// Clears `out` and fills it with what the frame's pictures show. Called only for frames with pictures.
+  virtual void process(const client::SensorFrame& sensors, const Posture& posture, Percepts& out) = 0;
+  virtual void archive(client::StateArchive& archive) = 0;
+};
+
+/// The vision of vision.h.
+std::unique_ptr<PerceptSource> makeVisionSource();
+
+}  // namespace murosimf::controllers

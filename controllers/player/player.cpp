@@ -1,0 +1,151 @@
+#include "player.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace murosimf::controllers {
+
+namespace {
+
+constexpr double kServoStiffness = 30, kKneeStiffness = 45;  // [N m/rad]
+
+Role roleOf(const client::RobotDescription& robot) {
+  if (robot.role.find("keeper") != std::string::npos) return Role::kKeeper;
+  if (robot.role.find("defender") != std::string::npos) return Role::kDefender;
+  return Role::kStriker;
+}
+
+Point pointOf(const Vector3& p) { return {p.x, p.y}; }
+
+void requireKs21(const client::RobotDescription& robot) {
+  if (robot.joints.size() != kJointCount)
+    throw std::invalid_argument("player: a KS21 with 21 joints is expected, '" + robot.model + "' has " +
+                                std::to_string(robot.joints.size()));
+  for (std::size_t i = 0; i < kJointNames.size(); ++i) {
+    if (robot.joints[i].name != kJointNames[i])
+      throw std::invalid_argument("player: joint " + std::to_string(i) + " of '" + robot.model + "' is '" +
+                                  robot.joints[i].name + "', expected '" + std::string(kJointNames[i]) + "'");
+  }
+}
+
+}  // namespace
+
+void Player::start(const client::RobotDescription& robot) {
+  requireKs21(robot);
+  robot_ = robot;
+  role_ = roleOf(robot);
+  robots_R_.reserve(32);
+  eyes_->start(robot);
+  localisation_.start(robot);
+  ball_.start(robot);
+  team_ball_.start(robot);
+  behaviour_.start(robot);
+}
+
+void Player::step(const client::SensorFrame& sensors, client::CommandFrame& commands) {
+  feelMotion(sensors);
+  heedReferee(sensors.game);
+  look(sensors);
+  team_ball_.observe(sensors.team_messages, robot_.control_period);
+  const Play play = behaviour_.step(gather(sensors), head_.glancing());
+  moveJoints(sensors, play, commands);
+  commands.message = message(play);
+  fillReport(play);
+}
+
+void Player::feelMotion(const client::SensorFrame& sensors) {
+  Posture now = computePosture(robot_, sensors.joints, posture_.stance);
+  const PlanarPose increment = posture_known_ ? odometryIncrement(posture_, now) : PlanarPose{};
+  posture_ = std::move(now), posture_known_ = true;
+  localisation_.move(increment);
+  ball_.move(increment, robot_.control_period);
+  obstacles_.move(increment, robot_.control_period);
+  for (const client::JointReading& joint : sensors.joints) servos_feel_ = servos_feel_ || joint.torque != 0;
+}
+
+void Player::heedReferee(const client::GameInfo& game) {
+  const bool ball_moved = game.restart_count != restart_count_;
+  restart_count_ = game.restart_count;
+  if (game.placed) {
+    localisation_.place(game.placed_at);
+    obstacles_.clear();
+  }
+  if (!game.placed && !ball_moved) return;
+  ball_.forget();
+  team_ball_.start(robot_);  // what mates said of the ball is no longer true
+  behaviour_.restart();
+}
+
+void Player::look(const client::SensorFrame& sensors) {
+  percepts_.clear();
+  if (sensors.pictures.empty()) return;
+  eyes_->process(sensors, posture_, percepts_);
+  localisation_.observe(percepts_);
+  ball_.observe(percepts_);
+  obstacles_.observe(percepts_.robots);
+}
+
+Situation Player::gather(const client::SensorFrame& sensors) {
+  Situation now;
+  now.time = sensors.time, now.dt = robot_.control_period;
+  now.game = sensors.game;
+  now.role = role_, now.number = robot_.number;
+  now.X_FR = localisation_.pose();
+  now.position_deviation = localisation_.positionDeviation();
+  now.ball_known = ball_.known(), now.ball_age = ball_.age();
+  now.ball_R = pointOf(ball_.position()), now.ball_velocity_R = pointOf(ball_.velocity());
+  now.team_ball_known = team_ball_.known(), now.team_ball_age = team_ball_.age(),
+  now.team_ball_F = team_ball_.position();
+  now.mates = team_ball_.freshMessages();
+  const std::span<const Point> seen = obstacles_.places_R();
+  robots_R_.assign(seen.begin(), seen.end());
+  for (const client::TeamMessage& mate : now.mates)
+    robots_R_.push_back(transformedBack(now.X_FR, {mate.pose.x, mate.pose.y}));
+  now.robots_R = robots_R_;
+  now.settled = body_.settled(), now.kicking = body_.kicking(), now.kick_time = body_.kickTime();
+  return now;
+}
+
+void Player::moveJoints(const client::SensorFrame& sensors, const Play& play, client::CommandFrame& commands) {
+  const double dt = robot_.control_period;
+  // The gyroscope sits on the trunk, the legs hang on the pelvis.
+  const Vector3 rate = rotationZ(sensors.joints[kWaistYaw].position) * sensors.angular_velocity;
+  JointAngles angles = body_.step(dt, play.motion, rate, servos_feel_);
+  const HeadAngles head = head_.step(dt, play.head, posture_);
+  angles[kHeadPan] = head.pan, angles[kHeadTilt] = head.tilt;
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    const client::JointDescription& joint = robot_.joints[i];
+    const bool limited = joint.upper > joint.lower;
+    const double position = limited ? clamp(angles[i], joint.lower, joint.upper) : angles[i];
+    const bool knee = i == static_cast<std::size_t>(kFirstLegJoint[kRight] + kKnee) ||
+                      i == static_cast<std::size_t>(kFirstLegJoint[kLeft] + kKnee);
+    commands.joints[i] = {position, 0, 0, knee ? kKneeStiffness : kServoStiffness, 0};
+  }
+}
+
+client::TeamMessage Player::message(const Play& play) const {
+  const PlanarPose X_FR = localisation_.pose();
+  const Point ball_F = transformed(X_FR, pointOf(ball_.position()));
+  const double age = ball_.known() ? ball_.age() : 1e9;
+  return {robot_.number, X_FR, ball_F.x, ball_F.y, age, play.cost_to_ball};
+}
+
+void Player::fillReport(const Play& play) {
+  report_.percepts = percepts_.drawn;
+  report_.pose = localisation_.pose();
+  report_.pose_valid = localisation_.positionDeviation() < 0.5;
+  report_.ball_known = ball_.known();
+  report_.ball_x = ball_.position().x, report_.ball_y = ball_.position().y;
+  report_.kicks_started = body_.kicksStarted();
+  report_.activity = play.activity;
+}
+
+void Player::archive(client::StateArchive& archive) {
+  archive(posture_.X_RP, posture_.X_RF, posture_.X_RC, posture_.stance, posture_known_, servos_feel_, restart_count_);
+  eyes_->archive(archive);
+  archive(localisation_, ball_, team_ball_, obstacles_, behaviour_, body_, head_);
+}
+
+std::unique_ptr<client::ControlSoftware> makePlayer() { return std::make_unique<Player>(makeVisionSource()); }
+
+}  // namespace murosimf::controllers
