@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -169,6 +170,26 @@ TEST(BrokenRobots, ChainOfTooManyLinksIsRefusedAndAThousandAreRead) {
   EXPECT_EQ(thousand->tree.joints.size(), 999U);
   EXPECT_FALSE(readUrdfText(chain(1001), "chain.urdf", diagnostics).has_value());
   EXPECT_NE(diagnostics.text().find("expected at most 1000 of each"), std::string::npos);
+}
+
+TEST(BrokenRobots, HugeHostileFilesAreRefusedInNoTime) {
+  std::string names = "<robot name='names'>", shapes = "<robot name='shapes'><link name='trunk'>";
+  for (int i = 0; i < 20000; ++i) {
+    const std::string number = std::to_string(i);
+    names += "<material name='a_long_name_of_a_material_" + number + "'><color rgba='1 1 1 1'/></material>";
+    names += "<link name='l" + number +
+             "'><visual><geometry><sphere radius='1'/></geometry><material name='a_lng_name" + number +
+             "'/></visual></link>\n";
+    shapes += "<visual><geometry><sphere radius='1'/></geometry></visual>";
+    shapes += "<collision><geometry><sphere radius='2'/></geometry></collision>";
+  }
+  const auto start = std::chrono::steady_clock::now();
+  for (const std::string& text : {names + "</robot>", shapes + "</link></robot>"}) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(readUrdfText(text, "hostile.urdf", diagnostics).has_value());
+    EXPECT_NE(diagnostics.text().find("expected at most 1000"), std::string::npos);
+  }
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));  // quadratic work would take minutes
 }
 
 TEST(BrokenRobots, WhatIsNoFileIsTold) {

@@ -108,8 +108,11 @@ class Assembler {
     const int body = model_.tree.bodyIndex(link.name);
     if (body >= 0) return body;
     std::vector<std::string> names;
-    for (const Body& b : model_.tree.bodies) names.push_back(b.name);
-    diagnostics_.error(link.where, "link " + quoted(link.name) + " does not exist" + nearestName(link.name, names));
+    if (diagnostics_.errorCount() <= 100) {
+      for (const Body& b : model_.tree.bodies) names.push_back(b.name);
+    }
+    diagnostics_.error(link.where,
+                       "link " + quoted(link.name) + " does not exist" + nearestName(diagnostics_, link.name, names));
     return -1;
   }
 
@@ -148,7 +151,7 @@ class Assembler {
     for (const auto& [key, text] : robot_.properties) {
       if (known.count(key.object) == 0) {
         diagnostics_.error(text.where, "object " + quoted(key.object) + " does not exist in this robot" +
-                                           nearestName(key.object, names));
+                                           nearestName(diagnostics_, key.object, names));
       } else if (const auto [first, added] = model_.properties.emplace(key, text); !added) {
         diagnostics_.error(text.where, "property " + quoted(key.property) +
                                            fmt::format(" is set in line {} already", first->second.where.line));

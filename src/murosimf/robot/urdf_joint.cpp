@@ -65,7 +65,8 @@ void readServo(const XmlElement& servo, const RobotPart& robot, Joint& joint) {
   const auto found = robot.servo_types.find(type);
   if (found == robot.servo_types.end()) {
     if (!type.empty()) {
-      servo.errorAt("type", "is " + quoted(type) + ", which no <servo_type> has" + nearestKey(type, robot.servo_types));
+      servo.errorAt("type", "is " + quoted(type) + ", which no <servo_type> has" +
+                                nearestKey(servo.diagnostics(), type, robot.servo_types));
     }
     return;
   }
@@ -134,8 +135,9 @@ void readJoint(const XmlElement& element, RobotPart& robot) {
     readLimits(element, type == "continuous", part.joint);
     readDynamics(element, part.joint);
   } else if (!part.fixed && !type.empty()) {
-    element.errorAt("type", "is " + quoted(type) + ", expected revolute, continuous, prismatic or fixed" +
-                                nearestName(type, {"revolute", "continuous", "prismatic", "fixed"}));
+    element.errorAt("type",
+                    "is " + quoted(type) + ", expected revolute, continuous, prismatic or fixed" +
+                        nearestName(element.diagnostics(), type, {"revolute", "continuous", "prismatic", "fixed"}));
   }
   readForeign(element);
   if (const std::optional<XmlElement> extension = element.child("murosimf")) readExtension(*extension, part, robot);

@@ -8,6 +8,8 @@
 namespace murosimf::urdf {
 namespace {
 
+constexpr std::size_t kMostShapes = 1000;
+
 /// Reads the one shape of a geometry.
 Shape readShape(const XmlElement& shape) {
   const std::string kind = shape.name();
@@ -84,7 +86,8 @@ void readColour(const XmlElement& visual, const RobotPart& robot, BodyShape& sha
     if (found != robot.materials.end()) {
       shape.colour = found->second;
     } else if (material->children("color").empty() && material->children("texture").empty() && !name.empty()) {
-      material->errorAt("name", "is " + quoted(name) + ", which no material has" + nearestKey(name, robot.materials));
+      material->errorAt("name", "is " + quoted(name) + ", which no material has" +
+                                    nearestKey(material->diagnostics(), name, robot.materials));
     }
   }
   if (const std::optional<XmlElement> extension = visual.child("murosimf")) {
@@ -180,8 +183,13 @@ void readLink(const XmlElement& element, RobotPart& robot) {
   const std::optional<XmlElement> extension = element.child("murosimf");
   const std::string surface = extension ? extension->text("surface", robot.surface) : robot.surface;
   const bool collides = !extension || extension->truth("collides", true);
-  readVisuals(element, robot, link.body);
-  readCollisions(element, surface, link.body);
+  const std::size_t shapes = element.children("visual").size() + element.children("collision").size();
+  if (shapes > kMostShapes) {
+    element.error(fmt::format("has {} visuals and collisions, expected at most {}", shapes, kMostShapes));
+  } else {
+    readVisuals(element, robot, link.body);
+    readCollisions(element, surface, link.body);
+  }
   const bool has_collision = !element.children("collision").empty();
   if (collides && !has_collision && !link.body.shapes.empty()) {
     element.warning(

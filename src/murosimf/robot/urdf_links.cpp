@@ -36,7 +36,8 @@ class Connector {
     const auto found = links_.find(link.name);
     if (found != links_.end()) return found->second;
     if (!link.name.empty()) {
-      diagnostics_.error(link.where, "link " + quoted(link.name) + " does not exist" + nearestKey(link.name, links_));
+      diagnostics_.error(link.where,
+                         "link " + quoted(link.name) + " does not exist" + nearestKey(diagnostics_, link.name, links_));
     }
     return -1;
   }

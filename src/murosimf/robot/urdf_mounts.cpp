@@ -115,7 +115,8 @@ PressureSensorMount readPressureSensor(const XmlElement& element, const LinkPart
       if (sole.name == wanted) sensor.points.assign(corners.begin(), corners.end());
     }
     if (sensor.points.empty()) {
-      element.errorAt("sole", "is " + quoted(wanted) + ", which is no sole of this link" + nearestName(wanted, names));
+      element.errorAt("sole", "is " + quoted(wanted) + ", which is no sole of this link" +
+                                  nearestName(element.diagnostics(), wanted, names));
     }
     return sensor;
   }
@@ -156,7 +157,8 @@ std::string readName(const XmlElement& element) {
   return problem.empty() ? name : "";
 }
 
-std::string nearestName(const std::string& word, std::vector<std::string> candidates) {
+std::string nearestName(const Diagnostics& diagnostics, const std::string& word, std::vector<std::string> candidates) {
+  if (diagnostics.errorCount() > 100) return "";
   if (candidates.size() > 300) candidates.resize(300);
   return didYouMean(std::string_view(word).substr(0, 100), candidates);
 }

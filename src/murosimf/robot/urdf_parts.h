@@ -63,15 +63,18 @@ struct RobotPart {
 std::string readName(const XmlElement& element);
 /// The attribute's text as a reference.
 Reference readReference(const XmlElement& element, const char* attribute);
-/// didYouMean for words that may be any bytes of a file: looks at what a name can have, among the first 300 candidates.
-std::string nearestName(const std::string& word, std::vector<std::string> candidates);
+/// didYouMean for words of any length: looks at what a name can have, among the first 300 candidates, and no more after
+/// 100 errors, so that a hostile file costs no time.
+std::string nearestName(const Diagnostics& diagnostics, const std::string& word, std::vector<std::string> candidates);
 template <class Value>
-std::string nearestKey(const std::string& word, const std::map<std::string, Value>& map) {
+std::string nearestKey(const Diagnostics& diagnostics, const std::string& word,
+                       const std::map<std::string, Value>& map) {
+  if (diagnostics.errorCount() > 100) return "";
   std::vector<std::string> keys;
   for (const auto& [key, value] : map) {
     if (keys.size() < 300) keys.push_back(key);
   }
-  return nearestName(word, std::move(keys));
+  return nearestName(diagnostics, word, std::move(keys));
 }
 
 /// <material> definitions with a colour, at the top and within visuals.
