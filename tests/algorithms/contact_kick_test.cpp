@@ -202,5 +202,51 @@ TEST(Kick, RecoilingBodyEqualsAFreeBodyOfTheSameMass) {
   EXPECT_NEAR(norm(v - two.ball(1).velocity), 0, 0.01);
 }
 
+TEST(Kick, SwingingFootKicksWithTheSpeedOfItsPoint) {
+  const BallType ball;
+  ContactScene scene;
+  scene.frame.gravity = {};
+  const double hip = 0.35, rate = 5;  // the foot's point at the ball's height moves at 5 * 0.35 m/s
+  scene.addBall(ball, {0.05 + ball.radius + 1e-4, 0, 0});
+  const int leg =
+      scene.addPartner(PartnerKind::kPrescribed, {rotationY(0.3), {0, 0, hip}}, 1e3);  // strong: a short contact
+  scene.addSolid(0, leg, makeBox({0.1, 0.1, 0.2}), smoothSurface(1e5, kFootRestitution));
+  scene.frame.pairs.back().X_PS.translation = {0, 0, -hip};
+  for (int i = 0; i < 100; ++i) scene.advanceMoving(leg, {}, {0, -rate, 0});
+  EXPECT_NEAR(scene.ball().velocity.x, (1 + std::sqrt(kFootRestitution)) * rate * hip, 0.03 * rate * hip);
+}
+
+TEST(Kick, TwoPointsOfOneRecoilingBodyShareItsMass) {
+  // A ball meets a frictionless right-angled notch along its bisector: both normals return e, so the bisector does.
+  const BallType ball;
+  const double body_mass = 0.3, speed = 1, e = std::sqrt(kFootRestitution);
+  ContactScene scene;
+  scene.frame.gravity = {};
+  scene.addBall(ball, {0.15, 0, 0}, {-speed, 0, 0});
+  for (int side : {-1, 1}) {
+    const int wall = scene.addPartner(PartnerKind::kResponsive, {rotationZ(side * kPi / 4), {}});
+    scene.partner(wall).responder = 0;
+    scene.addSolid(0, wall, makeBox({2, 0.1, 1}), smoothSurface(3e3, kFootRestitution));
+    scene.frame.pairs.back().X_PS.translation = {0, side * 0.05, 0};  // its face through the notch's bottom
+  }
+  double v = 0;
+  const auto inverse_inertia = Rotation3{{1e2, 0, 0}, {0, 1e2, 0}, {0, 0, 1e2}};
+  for (int i = 0; i < 200; ++i) {
+    const RigidResponse response(body_mass, scene.partner(0).X_start.translation, inverse_inertia);
+    scene.frame.responders = {&response};
+    for (int side : {0, 1})
+      scene.partner(side).X_end.translation = scene.partner(side).X_start.translation + Vector3{v * scene.dt, 0, 0};
+    scene.advance();
+    const Vector3 impulse = scene.partner(0).impulse + scene.partner(1).impulse;
+    EXPECT_NEAR(impulse.y, 0, 1e-6);
+    const double v_end = v + impulse.x / body_mass;
+    for (int side : {0, 1}) scene.partner(side).X_start.translation.x += 0.5 * (v + v_end) * scene.dt;
+    v = v_end;
+  }
+  EXPECT_NEAR(ball.mass * scene.ball().velocity.x + body_mass * v, -ball.mass * speed, 1e-12);
+  EXPECT_NEAR(scene.ball().velocity.x - v, e * speed, 0.03 * speed);
+  EXPECT_NEAR(scene.ball().velocity.y, 0, 1e-3);
+}
+
 }  // namespace
 }  // namespace murosimf

@@ -73,6 +73,34 @@ TEST(PairSolver, StackedBallsRestAtTheDepthsOfTheirLoads) {
   EXPECT_NEAR(scene.ball(1).X_WB.translation.z - scene.ball(0).X_WB.translation.z, 0.14 - 0.2 * per_kilogram, 1e-6);
 }
 
+TEST(PairSolver, PileOfThirtyBallsComesToRest) {
+  const double stiffness = 1e4;
+  ContactScene scene;
+  const SurfacePair surface = smoothSurface(stiffness, 0.35, 0.5);
+  const RandomStream dice(3, "pile", 0);
+  for (std::uint64_t i = 0; i < 30; ++i) {
+    const double radius = dice.uniform(4 * i, 0.04, 0.08);
+    const double x = dice.uniform(4 * i + 1, -0.1, 0.1), y = dice.uniform(4 * i + 2, -0.1, 0.1);
+    const int ball = scene.addBall({dice.uniform(4 * i + 3, 0.05, 1), radius, 0.4}, {x, y, 0.1 + 0.16 * double(i)});
+    scene.addGround(ball, surface);
+    scene.addGround(ball, surface, {rotationY(kPi / 2), {-0.2, 0, 0}});
+    scene.addGround(ball, surface, {rotationY(-kPi / 2), {0.2, 0, 0}});
+    scene.addGround(ball, surface, {rotationX(-kPi / 2), {0, -0.2, 0}});
+    scene.addGround(ball, surface, {rotationX(kPi / 2), {0, 0.2, 0}});
+    for (int other = 0; other < ball; ++other) scene.addBallPair(ball, other, surface);
+  }
+  scene.advance(3.0);
+  double deepest = 0, speed = 0, highest = 0;
+  for (const SpherePair& pair : scene.frame.pairs) deepest = max(deepest, pair.contact.depth);
+  for (const FreeBody& b : scene.frame.bodies) {
+    speed += squaredNorm(b.velocity) / 30;
+    highest = max(highest, b.X_WB.translation.z);
+  }
+  EXPECT_LT(std::sqrt(speed), 5e-3);
+  EXPECT_LT(deepest, 100 / stiffness);
+  EXPECT_LT(highest, 0.8) << "all in the box";
+}
+
 /// A ball in a corner of a sloping floor, two walls and a post, thrown with spin.
 ContactScene corner(double stiffness, double s_b, double friction, const Vector3& v, const Vector3& w) {
   ContactScene scene;
