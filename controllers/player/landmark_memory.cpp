@@ -10,6 +10,7 @@ constexpr double kDriftPerWay = 0.01;   // variance of the odometry [m^2/m]
 constexpr double kDriftPerTurn = 0.01;  // [rad^2/rad], as seen from the landmark's distance
 constexpr double kSamePlace = 0.6;      // sights of one kind and colour nearer than this are the same landmark [m]
 constexpr double kBeyondField = 0.7;    // a robot may stand this far outside the lines [m]
+constexpr double kLineHeading = 0.15;   // deviation of a heading that lines tell [rad]
 constexpr double kFitDeviation = 0.5;   // of the rigid fit before the corrections [m], [rad]
 
 Point seenAt(const LandmarkSight& sight) {
@@ -94,8 +95,21 @@ PoseProposals posesFromPair(const FieldMap& map, const LandmarkSight& a, const L
       const double painted = norm(A - B);
       if (painted < 0.3 || std::fabs(painted - apart) > tolerance) continue;
       const PoseBelief belief = refined(rigidFit(a_R, b_R, A, B), a, b, A, B);
-      if (map.contains({belief.mean.x, belief.mean.y}, kBeyondField) && proposals.count < proposals.beliefs.size())
-        proposals.beliefs[proposals.count++] = belief;
+      if (map.contains({belief.mean.x, belief.mean.y}, kBeyondField)) proposals.beliefs[proposals.count++] = belief;
+    }
+  return proposals;
+}
+
+PoseProposals posesFromOne(const FieldMap& map, const LandmarkSight& sight, double line_direction) {
+  PoseProposals proposals;
+  const Point p_R = seenAt(sight);
+  for (const Point& p_F : map.landmarks(sight.kind, sight.colour))
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      const double heading = wrapAngle(0.5 * kPi * quarter - line_direction);
+      const Point place = p_F - turned(sincos(heading), p_R);
+      if (!map.contains(place, kBeyondField)) continue;
+      const double deviation = sqrt(sight.distance_variance + kLineHeading * kLineHeading * dot(p_R, p_R));
+      proposals.beliefs[proposals.count++] = PoseBelief::at({place.x, place.y, heading}, deviation, kLineHeading);
     }
   return proposals;
 }

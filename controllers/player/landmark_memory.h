@@ -37,13 +37,15 @@ class LandmarkMemory {
   std::size_t count_ = 0;
 };
 
-/// The poses from which the two sights a and b make sense, at most four.
+/// The poses from which what was seen makes sense.
 struct PoseProposals {
-  std::array<PoseBelief, 4> beliefs;
+  std::array<PoseBelief, 8> beliefs;
   std::size_t count = 0;
 };
 /// Rigid fit of two points, then two rounds of correction by bearings and distances (Gauss-Newton). Poses far off the
 /// field and pairs whose distance does not match the map are left out.
 PoseProposals posesFromPair(const FieldMap& map, const LandmarkSight& a, const LandmarkSight& b);
+/// One sight and the direction of the lines in R [rad]: lines run along x or y, which leaves four headings.
+PoseProposals posesFromOne(const FieldMap& map, const LandmarkSight& sight, double line_direction);
 
 }  // namespace murosimf::controllers

@@ -14,9 +14,12 @@ constexpr double kLineGate = 7;          // the same for the offset of a line po
 constexpr double kAmbiguity = 4;         // squared error by which the second best name must be worse
 constexpr double kDoubtStep = 0.3;       // weight of one sight in the running share of failures
 constexpr double kDoubtful = 0.4;        // share above which new hypotheses are sought: two failures in a row
+constexpr double kLost = 0.65;           // share above which one landmark and lines must do: three in a row
+constexpr double kLostPosition = 1.5;    // what a doubtful estimate claims at most, besides [m]
+constexpr double kLostHeading = 1.0;     // [rad]
 constexpr double kEntryWeight = -10;     // logarithm of the weight of a new hypothesis against the best
+constexpr double kOutsideWeight = -3;    // the same, on top, where it is outside the lines: robots seldom are
 constexpr double kSmallestWeight = -16;  // below it a hypothesis is dropped
-constexpr double kIndependentLines = 3;  // as many line points of one picture count fully: they share errors
 constexpr double kBearingSway = 0.015;   // of landmarks, beside the deviation that vision claims [rad]
 constexpr double kDistanceSway = 0.03;   // the same, per metre of distance
 constexpr double kFarthest = 15;         // no field is seen farther [m]
@@ -25,11 +28,6 @@ bool plausible(const LandmarkPercept& percept) {
   return std::isfinite(percept.bearing) && percept.distance > 0.05 && percept.distance < kFarthest &&
          percept.bearing_deviation >= 0 && percept.bearing_deviation < 10 && percept.distance_deviation >= 0 &&
          percept.distance_deviation < 100;
-}
-
-bool plausible(const LinePercept& percept) {
-  const double squared = percept.x * percept.x + percept.y * percept.y;
-  return squared > 1e-4 && squared < kFarthest * kFarthest && std::fabs(percept.normal) < 100;
 }
 
 /// What vision claims, plus what it cannot know: sway of the body under the camera.
@@ -42,15 +40,6 @@ LandmarkSight sightOf(LandmarkKind kind, const LandmarkPercept& percept) {
           percept.distance,
           bearing * bearing + kBearingSway * kBearingSway,
           distance * distance + 4e-4 + sway * sway};
-}
-
-/// Variance of a line point across the line: its distance suffers from the camera's tilt, its direction does not.
-double offsetVariance(const LineSight& line, double independence) {
-  const double d = line.distance;
-  const double along_ray = 0.03 + 0.02 * d + 0.01 * d * d, across_ray = 0.02 + 0.02 * d;
-  const double cosine = (line.p_R.x * line.normal.cos + line.p_R.y * line.normal.sin) / d;
-  const double share = cosine * cosine;
-  return independence * (share * along_ray * along_ray + (1 - share) * across_ray * across_ray);
 }
 
 }  // namespace
@@ -81,17 +70,18 @@ void Localisation::widen(double position_deviation, double heading_deviation) {
 }
 
 void Localisation::observe(const Percepts& percepts) {
-  for (const LandmarkPercept& post : percepts.posts) observeLandmark(LandmarkKind::kPost, post);
-  for (const LandmarkPercept& pole : percepts.poles) observeLandmark(LandmarkKind::kPole, pole);
-  observeLines(percepts.lines);
+  const LineSights lines(percepts.lines);
+  for (const LandmarkPercept& post : percepts.posts) observeLandmark(LandmarkKind::kPost, post, lines);
+  for (const LandmarkPercept& pole : percepts.poles) observeLandmark(LandmarkKind::kPole, pole, lines);
+  for (PoseBelief& belief : std::span(beliefs_).first(count_)) judge(belief, lines);
   tidy();
 }
 
-void Localisation::observeLandmark(LandmarkKind kind, const LandmarkPercept& percept) {
+void Localisation::observeLandmark(LandmarkKind kind, const LandmarkPercept& percept, const LineSights& lines) {
   if (!plausible(percept) || map_.landmarks(kind, percept.colour).empty()) return;
   const LandmarkSight sight = sightOf(kind, percept);
   for (PoseBelief& belief : std::span(beliefs_).first(count_)) judge(belief, sight);
-  if (beliefs_[0].doubt > kDoubtful) propose(sight);
+  if (beliefs_[0].doubt > kDoubtful) propose(sight, lines);
   memory_.add(sight);
 }
 
@@ -114,24 +104,9 @@ void Localisation::judge(PoseBelief& belief, const LandmarkSight& sight) const {
   if (explained && (landmarks.size() < 2 || second > nearest.squared_error + kAmbiguity)) belief.correct(nearest);
 }
 
-void Localisation::observeLines(const std::vector<LinePercept>& percepts) {
-  std::array<LineSight, kLineCapacity> lines;
-  std::size_t count = 0;
-  const std::size_t stride = 1 + percepts.size() / kLineCapacity;
-  for (std::size_t i = 0; i < percepts.size() && count < kLineCapacity; i += stride) {
-    const LinePercept& percept = percepts[i];
-    if (!plausible(percept)) continue;
-    const Point p_R{percept.x, percept.y};
-    lines[count++] = {p_R, norm(p_R), sincos(percept.normal)};
-  }
-  if (count == 0) return;
-  for (PoseBelief& belief : std::span(beliefs_).first(count_)) judge(belief, std::span(lines).first(count));
-}
-
-void Localisation::judge(PoseBelief& belief, std::span<const LineSight> lines) const {
-  const double independence = std::max(1.0, static_cast<double>(lines.size()) / kIndependentLines);
+void Localisation::judge(PoseBelief& belief, const LineSights& lines) const {
   double log_weight = 0;
-  for (const LineSight& line : lines) {
+  for (const LineSights::Sight& line : lines.sights()) {
     const SinCos<double> heading = sincos(belief.mean.heading);
     const Point lever = turned(heading, line.p_R);  // from the robot to the point, in F
     const Point seen_normal = turned(heading, {line.normal.cos, line.normal.sin});
@@ -139,22 +114,23 @@ void Localisation::judge(PoseBelief& belief, std::span<const LineSight> lines) c
     double density = 0;
     if (match.found) {
       const Point& n = match.normal;
-      const Measurement offset{
-          {n.x, n.y, n.y * lever.x - n.x * lever.y}, -match.offset, offsetVariance(line, independence)};
+      const Measurement offset{{n.x, n.y, n.y * lever.x - n.x * lever.y}, -match.offset, line.variance};
       const double S = belief.innovationVariance(offset), squared = match.offset * match.offset / S;
       density = exp(-0.5 * squared) / sqrt(2 * kPi * S);
       if (squared < kLineGate) belief.correct(offset);
     }
     log_weight += log((1 - kFalseShare) * density + kFalseShare * kFalseLine);
   }
-  belief.log_weight += log_weight / independence;
+  belief.log_weight += log_weight / lines.dependence();
 }
 
-void Localisation::propose(const LandmarkSight& sight) {
-  for (std::size_t i = 0; i < memory_.size(); ++i) {
-    const PoseProposals proposals = posesFromPair(map_, sight, memory_.sight(i));
-    for (const PoseBelief& belief : std::span(proposals.beliefs).first(proposals.count)) enter(belief);
-  }
+void Localisation::propose(const LandmarkSight& sight, const LineSights& lines) {
+  for (std::size_t i = 0; i < memory_.size(); ++i) enter(posesFromPair(map_, sight, memory_.sight(i)));
+  if (beliefs_[0].doubt > kLost && lines.haveDirection()) enter(posesFromOne(map_, sight, lines.direction()));
+}
+
+void Localisation::enter(const PoseProposals& proposals) {
+  for (const PoseBelief& belief : std::span(proposals.beliefs).first(proposals.count)) enter(belief);
 }
 
 namespace {
@@ -176,10 +152,12 @@ void Localisation::enter(const PoseBelief& proposal) {
     best = std::max(best, beliefs_[i].log_weight);
     if (beliefs_[i].log_weight < beliefs_[weakest].log_weight) weakest = i;
   }
+  const bool outside = !map_.contains({proposal.mean.x, proposal.mean.y}, 0.1);
+  const double weight = best + kEntryWeight + (outside ? kOutsideWeight : 0);
   const std::size_t place = count_ < kCapacity ? count_ : weakest;
-  if (place == weakest && beliefs_[weakest].log_weight > best + kEntryWeight) return;
+  if (place == weakest && beliefs_[weakest].log_weight > weight) return;
   beliefs_[place] = proposal;
-  beliefs_[place].log_weight = best + kEntryWeight;
+  beliefs_[place].log_weight = weight;
   count_ = std::max(count_, place + 1);
 }
 
@@ -202,6 +180,8 @@ void Localisation::tidy() {
   count_ = kept;
 }
 
+double Localisation::doubtShare() const { return std::max(0.0, (beliefs_[0].doubt - kDoubtStep) / (1 - kDoubtStep)); }
+
 double Localisation::positionDeviation() const {
   double sum = 0, weights = 0;
   for (const PoseBelief& belief : std::span(beliefs_).first(count_)) {
@@ -210,7 +190,8 @@ double Localisation::positionDeviation() const {
     sum += weight * (belief.covariance[0][0] + belief.covariance[1][1] + dx * dx + dy * dy);
     weights += weight;
   }
-  return sqrt(sum / weights);
+  const double lost = kLostPosition * doubtShare();
+  return sqrt(sum / weights + lost * lost);
 }
 
 double Localisation::headingDeviation() const {
@@ -221,7 +202,8 @@ double Localisation::headingDeviation() const {
     sum += weight * (belief.covariance[2][2] + difference * difference);
     weights += weight;
   }
-  return sqrt(sum / weights);
+  const double lost = kLostHeading * doubtShare();
+  return sqrt(sum / weights + lost * lost);
 }
 
 void Localisation::archive(client::StateArchive& archive) { archive(memory_, beliefs_, count_); }

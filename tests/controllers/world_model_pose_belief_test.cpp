@@ -113,5 +113,36 @@ TEST(PosesFromPair, TheTwoPostsOfAGoalTellOnePoseInTheField) {
   EXPECT_NEAR(proposals.beliefs[0].mean.heading, 0, 1e-9);
 }
 
+TEST(PosesFromOne, FourHeadingsOfOneSightIncludeTheTrueOne) {
+  FieldMap map;
+  map.start(robotOfTeam("red"));
+  const PlanarPose truth{0.2, 0.1, 0.9};
+  const Point p_R = transformedBack(truth, {0, 1.5});
+  const LandmarkSight pole{LandmarkKind::kPole, LandmarkColour::kYellow, direction(p_R), norm(p_R), 4e-4, 4e-3};
+  const PoseProposals proposals = posesFromOne(map, pole, -0.9);  // a line along x lies at -heading in R
+  int right = 0;
+  for (const PoseBelief& belief : std::span(proposals.beliefs).first(proposals.count)) {
+    EXPECT_NEAR(norm(Point{belief.mean.x, belief.mean.y - 1.5}), norm(p_R), 1e-12);
+    right +=
+        norm(Point{belief.mean.x - 0.2, belief.mean.y - 0.1}) < 1e-9 && std::fabs(belief.mean.heading - 0.9) < 1e-9;
+  }
+  EXPECT_EQ(right, 1);
+}
+
+TEST(LineSights, LinesAtRightAnglesHaveOneDirection) {
+  std::vector<LinePercept> percepts;
+  for (int i = 0; i < 8; ++i) percepts.push_back({1, 0.1 * i, 0.3 + 0.5 * kPi * i});
+  const LineSights lines(percepts);
+  ASSERT_TRUE(lines.haveDirection());
+  EXPECT_NEAR(lines.direction(), 0.3, 1e-9);
+  EXPECT_NEAR(lines.dependence(), 8.0 / 3, 1e-12);
+}
+
+TEST(LineSights, PointsOfACircleHaveNoDirection) {
+  std::vector<LinePercept> percepts;
+  for (int i = 0; i < 8; ++i) percepts.push_back({1, 0.1 * i, 0.125 * kPi * i / 2});
+  EXPECT_FALSE(LineSights(percepts).haveDirection());
+}
+
 }  // namespace
 }  // namespace murosimf::controllers
