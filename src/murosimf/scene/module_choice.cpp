@@ -120,10 +120,8 @@ CameraChoice cameraChoice(const RobotSettings& robot, const CameraMount& mount, 
     if (*choice.period > 0) result.settings.period = *choice.period;
     if (choice.phase.given()) result.settings.phase = *choice.phase;
     for (const NamedValue& parameter : choice.parameters) {
-      double grey_levels = 255 * result.settings.noise;
       if (parameter.name == "noise") {
-        readNumber(parameter, 0, 128, grey_levels, diagnostics);
-        result.settings.noise = grey_levels / 255;
+        readNumber(parameter, 0, 0.5, result.settings.noise, diagnostics);
       } else if (parameter.name == "gain") {
         readNumber(parameter, 0.01, 100, result.settings.gain, diagnostics);
       } else {

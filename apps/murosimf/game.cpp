@@ -1,0 +1,24 @@
+#include "murosimf/game.h"
+
+#include "murosimf/modules/all_modules.h"
+#include "murosimf/soccer/field.h"
+#include "player/player.h"
+
+namespace murosimf {
+
+ControlPrograms allPrograms() {
+  return {{"player", [] { return controllers::makePlayer(); }}};
+}
+
+std::unique_ptr<Simulation> buildGame(const Scene& scene, Diagnostics& diagnostics) {
+  WorldBuilder builder(scene, diagnostics);
+  FieldLook look;
+  look.brightness = *scene.field.brightness;
+  look.carpet = *scene.field.carpet;
+  look.goal_at_plus_x = *scene.field.goal_at_plus_x;
+  look.goal_at_minus_x = *scene.field.goal_at_minus_x;
+  builder.addFixed(addField(builder.world(), fieldDescription(scene), look));
+  return builder.link(allModules(), allPrograms());
+}
+
+}  // namespace murosimf

@@ -1,0 +1,17 @@
+#pragma once
+
+/// @file A scenario, made ready to run: scene, world, field, robots and their control software.
+
+#include <memory>
+
+#include "murosimf/scene/world_builder.h"
+
+namespace murosimf {
+
+/// The control software that scenarios can name.
+ControlPrograms allPrograms();
+
+/// Reads nothing; builds what the scene says. Null when diagnostics has got errors.
+std::unique_ptr<Simulation> buildGame(const Scene& scene, Diagnostics& diagnostics);
+
+}  // namespace murosimf
