@@ -39,7 +39,7 @@ TEST(Kick, KinematicFootGivesOnePlusRestitutionTimesItsSpeed) {
   }
 }
 
-TEST(Kick, HardKicksStopTheBallWithinHalfARadiusOrTwoThirds) {
+TEST(Kick, HardKicksTurnTheBallBeforeItsCentreIsReached) {
   for (double stiffness : {3e3, 1e5})
     for (double speed : {3.0, 5.0}) {
       double deepest = 0;
