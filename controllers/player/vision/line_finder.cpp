@@ -5,8 +5,18 @@
 namespace murosimf::controllers {
 namespace {
 
-constexpr int kReach = 4;           ///< neighbours on each side
-constexpr double kFarthest = 0.35;  ///< of them on the ground [m]: the centre circle is straight no farther than that
+constexpr int kReach = 4;         ///< neighbours on each side
+constexpr int kFewest = 4;        ///< points that make a line
+constexpr double kSpacing = 0.1;  ///< least distance on the ground between points that are reported [m]
+
+/// How far from a crossing its neighbours may lie on the ground: the centre circle is straight for so long, as exactly
+/// as can be seen at that distance.
+double windowAt(double distance) {
+  const double window = 0.1 + 0.08 * distance;
+  return window < 0.35 ? window : 0.35;
+}
+
+double squared(double x) { return x * x; }
 
 /// Straight line through points of the undistorted picture, by total least squares.
 struct FittedLine {
@@ -46,21 +56,48 @@ double mismatch(const Crossing& a, const Crossing& b, bool vertical, double spac
   return along / std::min(reach, 8 * spacing);
 }
 
-FittedLine fitAround(const std::vector<Crossing>& crossings, const Crossing& crossing) {
-  LineFit fit;
-  fit.add(crossing.ray);
-  auto addWhileNear = [&](int Crossing::*way) {
-    int i = crossing.*way;
+/// Fits a crossing with neighbours on both sides, or on one of them.
+class Neighbourhood {
+ public:
+  Neighbourhood(const std::vector<Crossing>& all, const Crossing& centre)
+      : all_(all), centre_(centre), window_(windowAt(horizontal(centre.ground))) {}
+
+  FittedLine fit(bool before, bool after) const {
+    LineFit line;
+    line.add(centre_.ray);
+    if (before) add(line, &Crossing::previous);
+    if (after) add(line, &Crossing::next);
+    return line.solve();
+  }
+
+ private:
+  void add(LineFit& line, int Crossing::*way) const {
+    int i = centre_.*way;
     for (int k = 0; k < kReach && i >= 0; ++k) {
-      const Crossing& c = crossings[static_cast<std::size_t>(i)];
-      if (squaredNorm(c.ground - crossing.ground) > kFarthest * kFarthest) return;
-      fit.add(c.ray);
+      const Crossing& c = all_[static_cast<std::size_t>(i)];
+      if (squaredNorm(c.ground - centre_.ground) > window_ * window_) return;
+      line.add(c.ray);
       i = c.*way;
     }
-  };
-  addWhileNear(&Crossing::previous);
-  addWhileNear(&Crossing::next);
-  return fit.solve();
+  }
+
+  const std::vector<Crossing>& all_;
+  const Crossing& centre_;
+  double window_;
+};
+
+/// The best straight line through a crossing. Where lines meet, that may be one side's alone.
+std::optional<FittedLine> fitAround(const std::vector<Crossing>& crossings, const Crossing& crossing,
+                                    double roughness) {
+  const Neighbourhood neighbours(crossings, crossing);
+  const FittedLine both = neighbours.fit(true, true);
+  if (both.count < kFewest) return std::nullopt;
+  if (both.deviation < roughness) return both;
+  const FittedLine before = neighbours.fit(true, false), after = neighbours.fit(false, true);
+  const bool before_good = before.count >= kFewest && before.deviation < roughness;
+  const bool after_good = after.count >= kFewest && after.deviation < roughness;
+  if (before_good && (!after_good || before.deviation < after.deviation)) return before;
+  return after_good ? std::optional(after) : std::nullopt;
 }
 
 /// The fitted line on the ground: its point beside the crossing, and its unit normal.
@@ -105,27 +142,40 @@ void LineFinder::linkNeighbours(const PictureView& view) {
   }
 }
 
+bool LineFinder::measure(const PictureView& view, const Crossing& c, double line_width, Point& point) {
+  // Half a pixel of noise, and what the centre circle's bend makes of a near line.
+  const double distance = horizontal(c.ground), bend = 0.004 / squared(distance + 0.3);
+  const auto line = fitAround(scanner_.crossings(), c, 0.6 / view.description->fx + bend);
+  if (!line) return false;
+  const auto ground = onGround(view, *line, c.ray);
+  if (!ground) return false;
+  const double length = norm(c.across), width = abs(dot(c.across, ground->normal));
+  const double share = width / std::max(1e-6, length);  // sine of the angle between scan and line
+  const double blur = 1.2 * length / std::max(c.pixels, 0.5) * share;
+  if (width < 0.5 * line_width - blur || width > 1.6 * line_width + blur || share < 0.25) return false;
+  const double normal = atan2(ground->normal.y, ground->normal.x);
+  point.percept = {ground->point.x, ground->point.y, normal < 0 ? normal + kPi : normal};
+  point.drawn = {client::Percept::Kind::kLinePoint, view.camera, c.at.u, c.at.v, 0.5 * c.pixels, distance};
+  return true;
+}
+
+bool LineFinder::isCrowded(const LinePercept& p) const {
+  return std::any_of(points_.begin(), points_.end(), [&](const Point& other) {
+    const double dx = other.percept.x - p.x, dy = other.percept.y - p.y;
+    return dx * dx + dy * dy < kSpacing * kSpacing;
+  });
+}
+
 void LineFinder::find(const PictureView& view, double line_width, Percepts& out) {
   scanner_.scan(view, line_width);
   linkNeighbours(view);
   points_.clear();
-  const double pixel = 1 / view.description->fx;
+  Point point;
   for (const Crossing& c : scanner_.crossings()) {
-    const FittedLine line = fitAround(scanner_.crossings(), c);
-    if (line.count < 4 || line.deviation > 0.7 * pixel) continue;
-    const auto ground = onGround(view, line, c.ray);
-    if (!ground) continue;
-    const double width = abs(dot(c.across, ground->normal)), blur = 1.2 * norm(c.across) / std::max(c.pixels, 0.5);
-    const double share = width / std::max(1e-6, norm(c.across));
-    if (width < 0.5 * line_width - blur * share || width > 1.6 * line_width + blur * share || share < 0.25) continue;
-    const double distance = horizontal(ground->point);
-    double normal = atan2(ground->normal.y, ground->normal.x);
-    if (normal < 0) normal += kPi;
-    points_.push_back({{ground->point.x, ground->point.y, normal},
-                       {client::Percept::Kind::kLinePoint, view.camera, c.at.u, c.at.v, 0.5 * c.pixels, distance}});
+    if (measure(view, c, line_width, point) && !isCrowded(point.percept)) points_.push_back(point);
   }
-  const std::size_t stride = (points_.size() + kMostPoints - 1) / kMostPoints;
-  for (std::size_t i = 0; i < points_.size(); i += std::max<std::size_t>(stride, 1)) {
+  const std::size_t stride = std::max<std::size_t>((points_.size() + kMostPoints - 1) / kMostPoints, 1);
+  for (std::size_t i = 0; i < points_.size(); i += stride) {
     out.lines.push_back(points_[i].percept);
     out.drawn.push_back(points_[i].drawn);
   }

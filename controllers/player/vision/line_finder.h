@@ -14,20 +14,24 @@ namespace murosimf::controllers {
 
 class LineFinder {
  public:
-  static constexpr int kMostPoints = 40;  ///< a picture; more are thinned out evenly
+  static constexpr int kMostPoints = 48;  ///< a picture; more are thinned out evenly; .1 m apart at least
 
   void start(int width, int height);
   /// Adds line points of one picture.
   void find(const PictureView& view, double line_width, Percepts& out);
 
  private:
-  void linkNeighbours(const PictureView& view);
-
-  LineScanner scanner_;
   struct Point {
     LinePercept percept;
     client::Percept drawn;
   };
+  void linkNeighbours(const PictureView& view);
+  /// Fits the line around a crossing; false if it is none.
+  bool measure(const PictureView& view, const Crossing& crossing, double line_width, Point& point);
+  /// Whether a point has been found nearby already.
+  bool isCrowded(const LinePercept& percept) const;
+
+  LineScanner scanner_;
   std::vector<Point> points_;
 };
 
