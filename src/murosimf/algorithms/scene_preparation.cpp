@@ -10,8 +10,8 @@ namespace murosimf {
 namespace {
 
 constexpr double kNearest = 1e-4;      ///< what is nearer to the camera's plane counts as this near [m]
-constexpr double kShadowHeight = 0.12;  ///< drawables higher above the ground cast no patch [m]
-constexpr double kShadowStrength = 0.45;
+constexpr double kShadowHeight = 0.2;  ///< drawables higher above the ground cast no patch [m]
+constexpr double kShadowStrength = 0.7;
 
 LinearForm formOf(const Vector3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
@@ -194,9 +194,9 @@ Patch patchBeneath(const Drawable& drawable, double gap) {
   const Vector3& h = drawable.shape.half_size;
   const Rotation3& r = drawable.X_WS.rotation;
   const Vector3 axis[3] = {r.x * h.x, r.y * h.y, r.z * h.z};
-  const double spread = 0.01 + 0.5 * gap;
+  const double spread = 0.03 + 0.5 * gap;
   double xx = spread * spread, xy = 0.0, yy = spread * spread;
-  for (const Vector3& a : axis) xx += 3.0 * a.x * a.x, xy += 3.0 * a.x * a.y, yy += 3.0 * a.y * a.y;
+  for (const Vector3& a : axis) xx += 5.0 * a.x * a.x, xy += 5.0 * a.x * a.y, yy += 5.0 * a.y * a.y;
   const double first = std::sqrt(xx), cross_term = xy / first;
   return {first, cross_term, std::sqrt(yy - cross_term * cross_term)};
 }

@@ -19,7 +19,7 @@ CameraView viewOf(const RayScene& scene, const Pose& X_WC);
 
 /// Appends a drawable to work.surfaces and work.extents, unless it lies behind the camera or holds it.
 void addSurface(const CameraView& view, const Drawable& drawable, PreparedScene& work);
-/// The same for its soft shadow on the ground; none when it stands higher than 0.12 m.
+/// The same for its soft shadow on the ground; none when it stands higher than 0.2 m.
 void addShadow(const CameraView& view, const Drawable& drawable, PreparedScene& work);
 /// Overwrites work.cast.ground, work.strips and work.rings.
 void setGround(const CameraView& view, const RayScene& scene, PreparedScene& work);
