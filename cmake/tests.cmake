@@ -1,7 +1,8 @@
 # One executable and one ctest entry a folder of tests/. tests/<layer> is linked with that layer alone (and so with
-# those below), tests/controllers with the control software alone, every other folder (tests/game, tests/apps, ...)
-# with everything. Files *_slow.cpp make test_<folder>_slow, labelled `slow`: `make check-all` runs them, `make test`
-# does not. Tests run in the source tree's root; MUROSIMF_SOURCE_DIR is that root.
+# those below), tests/controllers with the control software and with algorithms/ (its ray caster draws pictures for the
+# vision; the control software itself sees neither), every other folder (tests/game, tests/apps, ...) with everything.
+# Files *_slow.cpp make test_<folder>_slow, labelled `slow`: `make check-all` runs them, `make test` does not. Tests run
+# in the source tree's root; MUROSIMF_SOURCE_DIR is that root.
 set(MUROSIMF_TEST_TIMEOUT 240 CACHE STRING "Seconds that one test executable may take")
 
 function(murosimf_test name folder)
@@ -11,7 +12,7 @@ function(murosimf_test name folder)
   target_compile_definitions(${name} PRIVATE "MUROSIMF_SOURCE_DIR=\"${PROJECT_SOURCE_DIR}\"")
   target_link_libraries(${name} PRIVATE GTest::gtest_main rapidcheck Threads::Threads)
   if(folder STREQUAL "controllers")
-    target_link_libraries(${name} PRIVATE murosimf_controllers)
+    target_link_libraries(${name} PRIVATE murosimf_controllers murosimf_algorithms)
   elseif(TARGET murosimf_${folder})
     target_link_libraries(${name} PRIVATE murosimf_${folder})
   else()

@@ -30,6 +30,7 @@ struct Cone {
   double sine = 0;       ///< sin alpha
   double deviation = 0;  ///< rms of the used outline points' angles [rad]
   int used = 0;
+  int outside = 0;  ///< outline points that lie outside of the cone: nothing that covers a ball can do that
 };
 
 Vector3 unitRay(const PictureView& view, const PixelPoint& p) {
@@ -87,6 +88,16 @@ std::optional<Cone> fitOnce(const Outline& outline) {
   return cone;
 }
 
+int countOutside(const Outline& outline, const Cone& cone, double limit) {
+  const double cosine = sqrt(1 - cone.sine * cone.sine);
+  int outside = 0;
+  for (int i = 0; i < outline.count; ++i) {
+    const OutlinePoint& p = outline.points[static_cast<std::size_t>(i)];
+    outside += excess(p, cone.axis_C * (1 / cosine), cone.sine / cosine) > limit ? 1 : 0;
+  }
+  return outside;
+}
+
 /// Fits the cone, first by points with open background if there are enough, then by all that agree with it.
 std::optional<Cone> fitCone(Outline& outline, double pixel_angle) {
   int open = 0;
@@ -102,6 +113,7 @@ std::optional<Cone> fitCone(Outline& outline, double pixel_angle) {
       p.used = e < limit && e > -limit;
     }
     cone = fitOnce(outline);
+    if (cone) cone->outside = countOutside(outline, *cone, limit);
   }
   return cone;
 }
@@ -162,10 +174,10 @@ std::optional<Disc> measureDisc(const PictureView& view, PixelPoint seed, int re
 
 /// Round, orange all over, and on the carpet; the more of it is covered the less is asked of the rest.
 bool looksLikeBall(const Disc& disc, double pixel_angle) {
-  if (disc.cone.used < 9 || disc.on_field < 0.25) return false;
+  if (disc.cone.used < 9 || disc.cone.outside > 2 || disc.on_field < 0.25) return false;
   const bool whole = disc.cone.used >= 18;
   if (!whole && disc.radius < 5) return false;  // too little to measure
-  const double roundness = std::max(0.08 * disc.cone.sine, 0.7 * pixel_angle);
+  const double roundness = std::max(0.04 * disc.cone.sine, 0.6 * pixel_angle);
   return disc.cone.deviation < roundness && disc.orange > (whole ? 0.75 : 0.6);
 }
 

@@ -23,15 +23,15 @@ bool continues(const Bar& bar, const Run& last, const Run& run) {
   if (bar.colour != run.colour || rows > 2 || rows < 1) return false;
   const double expected = bar.predicted + (rows - 1) * bar.slope, width = run.width();
   if (abs(middle(run) - expected) > 1.01 + 0.2 * std::min(width, bar.mean_width)) return false;
-  // Against the mean, too: a bar must not swell by and by.
-  const double change = std::max(abs(width - bar.mean_width), abs(width - last.width()));
-  return change <= 1.01 + 0.35 * std::min(width, bar.mean_width);
+  const double change = std::max(abs(width - bar.recent_width), abs(width - last.width()));
+  return change <= 1.01 + 0.35 * std::min(width, bar.recent_width);
 }
 
 /// Follows the runs slowly, so that a steady drift away from upright ends the chain.
 void append(Bar& bar, const Run& run, int index, double slope) {
   const double expected = bar.predicted + (run.row - bar.bottom - 1) * bar.slope;
   bar.mean_width = (bar.mean_width * bar.runs + run.width()) / (bar.runs + 1);
+  bar.recent_width += 0.2 * (run.width() - bar.recent_width);
   ++bar.runs;
   bar.bottom = run.row;
   bar.bottom_centre = middle(run);
@@ -42,7 +42,7 @@ void append(Bar& bar, const Run& run, int index, double slope) {
 
 Bar startingWith(const Run& run, int index, double slope) {
   const double centre = middle(run), width = run.width();
-  return {run.colour, run.row, run.row, centre, centre, width, 1, index, centre + slope, slope};
+  return {run.colour, run.row, run.row, centre, centre, width, width, 1, index, centre + slope, slope};
 }
 
 }  // namespace

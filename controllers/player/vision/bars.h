@@ -19,6 +19,7 @@ struct Bar {
   int top = 0, bottom = 0;                   ///< rows
   double top_centre = 0, bottom_centre = 0;  ///< columns of the middle of the first and the last run
   double mean_width = 0;
+  double recent_width = 0;  ///< mean of the last five or so
   int runs = 0;
   int last_run = 0;      ///< index into ColourGrid::runs()
   double predicted = 0;  ///< column where the middle of a run in the next row is expected

@@ -19,14 +19,14 @@ struct FieldColours {
   double green_share = 0.3;  ///< mean (G - max(R, B)) / (R + G + B) of the carpet
 
   /// Integer limits derived from them: share of 256 that is green, lowest channel that is white.
-  int green_limit = 38, white_limit = 160;
+  int green_limit = 38, white_limit = 182;
 
-  /// A carpet pixel has at least half of the mean share; white is at least 1.45 times as bright as the carpet (white
+  /// A carpet pixel has at least half of the mean share; white is at least 1.65 times as bright as the carpet (white
   /// paint 2, light grey 1.4), or nearly saturated.
   void derive() {
-    const double white = 1.45 * green_level;
+    const double white = 1.65 * green_level;
     green_limit = static_cast<int>(128 * green_share);
-    white_limit = static_cast<int>(white < 225 ? white : 225);
+    white_limit = static_cast<int>(white < 232 ? white : 232);
   }
 };
 

@@ -13,6 +13,15 @@ constexpr double kLeastPost = 0.25;  ///< what must be seen of a post's height [
 
 double squared(double x) { return x * x; }
 
+constexpr std::size_t kMostFound = 16;
+
+/// What has been found in this picture so far, of one kind.
+struct Found {
+  std::array<LandmarkPercept, kMostFound> percepts;
+  std::array<client::Percept, kMostFound> drawn;
+  std::size_t count = 0;
+};
+
 /// The bars of one pole, from the top.
 struct Stack {
   std::array<const Bar*, 3> bars{};
@@ -74,8 +83,7 @@ std::optional<LandmarkColour> topColour(const PictureView& view, const ColourGri
   return lower_two ? opposite(first) : first;
 }
 
-void report(const PictureView& view, const Upright& upright, LandmarkColour colour, client::Percept::Kind kind,
-            std::vector<LandmarkPercept>& list, Percepts& out) {
+LandmarkPercept perceptOf(const PictureView& view, const Upright& upright, LandmarkColour colour) {
   const SinCos<double> azimuth = sincos(upright.azimuth);
   const double x = view.X_RC.translation.x + upright.distance.value * azimuth.cos;
   const double y = view.X_RC.translation.y + upright.distance.value * azimuth.sin;
@@ -86,8 +94,39 @@ void report(const PictureView& view, const Upright& upright, LandmarkColour colo
   percept.bearing_deviation = upright.azimuth_deviation;
   percept.distance_deviation = upright.distance.deviation;
   percept.foot_seen = upright.foot_seen;
-  list.push_back(percept);
-  out.drawn.push_back({kind, view.camera, upright.lowest.u, upright.lowest.v, upright.half_width, percept.distance});
+  return percept;
+}
+
+/// Two parts of one post, for example above and below an arm before it.
+bool sameThing(const LandmarkPercept& a, const LandmarkPercept& b) {
+  return a.colour == b.colour && abs(wrapAngle(a.bearing - b.bearing)) < 0.03 + 0.05 / b.distance &&
+         abs(a.distance - b.distance) < 0.15 * b.distance + a.distance_deviation + b.distance_deviation;
+}
+
+/// Adds a percept, unless this picture has given a better one of the same thing; a worse one is replaced.
+void report(const PictureView& view, const Upright& upright, LandmarkColour colour, client::Percept::Kind kind,
+            Found& found) {
+  const LandmarkPercept percept = perceptOf(view, upright, colour);
+  const client::Percept drawn{
+      kind, view.camera, upright.lowest.u, upright.lowest.v, upright.half_width, percept.distance};
+  for (std::size_t i = 0; i < found.count; ++i) {
+    if (!sameThing(found.percepts[i], percept)) continue;
+    if (percept.distance_deviation < found.percepts[i].distance_deviation) {
+      found.percepts[i] = percept;
+      found.drawn[i] = drawn;
+    }
+    return;
+  }
+  if (found.count == kMostFound) return;
+  found.percepts[found.count] = percept;
+  found.drawn[found.count++] = drawn;
+}
+
+void append(const Found& found, std::vector<LandmarkPercept>& list, Percepts& out) {
+  for (std::size_t i = 0; i < found.count; ++i) {
+    list.push_back(found.percepts[i]);
+    out.drawn.push_back(found.drawn[i]);
+  }
 }
 
 /// A landmark cannot be farther away than the field's corners are from each other, and a little.
@@ -117,12 +156,12 @@ bool confirmed(const PictureView& view, const ColourGrid& grid, const Stack& sta
   return agree(byRise(view, joint, lower, rise, grid.step()), upright.distance);
 }
 
-void examinePole(const Sight& sight, const Stack& stack, const client::FieldDescription& field, Percepts& out) {
+void examinePole(const Sight& sight, const Stack& stack, const client::FieldDescription& field, Found& poles) {
   const std::optional<Upright> upright = measureUpright(sight, stack.span(), field.pole_radius);
   if (!upright || !plausibleDistance(*upright, field)) return;
   if (!confirmed(sight.view, sight.grid, stack, *upright, field.pole_height)) return;
   const auto colour = topColour(sight.view, sight.grid, stack, *upright, field.pole_height);
-  if (colour) report(sight.view, *upright, *colour, client::Percept::Kind::kPole, out.poles, out);
+  if (colour) report(sight.view, *upright, *colour, client::Percept::Kind::kPole, poles);
 }
 
 /// Distance by the top, just below the crossbar's middle; which is known to .06 m only.
@@ -156,25 +195,31 @@ bool isLowerPart(const Bar& bar, std::span<const Bar> bars) {
   return false;
 }
 
+/// Whether the bar ends at the height of the crossbar, as exactly as its distance and an upright camera allow.
+bool endsAtCrossbar(const PictureView& view, const Upright& upright, double goal_height) {
+  const double error = abs(heightAt(view, upright, upright.highest) - goal_height);
+  const double slope = abs(slopeAt(view, upright.highest));
+  return error < 0.08 + 0.04 * upright.distance.value + 3 * slope * upright.distance.deviation;
+}
+
 /// Without a foot, nothing but the top tells whether the width is that of a whole post. With one the top may be a bad
-/// measure still: where bars meet in the picture it is not the crossbar's.
+/// measure still: where a bar goes on into another one before it reaches the crossbar.
 bool weighTop(const Sight& sight, const Bar& bar, std::span<const Bar> bars, double goal_height, Upright& upright) {
   if (!upright.foot_seen && isLowerPart(bar, bars)) return false;
   if (upright.cut_above) return true;
-  const Estimate top = byTop(sight.view, upright, goal_height);
-  const bool agreed = agree(top, upright.distance);
-  if (agreed) upright.distance = fuse(upright.distance, top);
-  return agreed || upright.foot_seen;
+  if (!endsAtCrossbar(sight.view, upright, goal_height)) return upright.foot_seen && upright.goes_on_above;
+  upright.distance = fuse(upright.distance, byTop(sight.view, upright, goal_height));
+  return true;
 }
 
 void examinePost(const Sight& sight, const Bar& bar, std::span<const Bar> all, const client::FieldDescription& field,
-                 Percepts& out) {
+                 Found& posts) {
   if (bar.runs < 3 || bar.height() < 2.2 * bar.mean_width) return;
   const Bar* const bars[] = {&bar};
   std::optional<Upright> upright = measureUpright(sight, bars, field.post_radius);
   if (!upright || !plausibleDistance(*upright, field) || !endsLikePost(sight.view, *upright, field.goal_height)) return;
   if (!weighTop(sight, bar, all, field.goal_height, *upright)) return;
-  report(sight.view, *upright, landmarkColour(bar.colour), client::Percept::Kind::kPost, out.posts, out);
+  report(sight.view, *upright, landmarkColour(bar.colour), client::Percept::Kind::kPost, posts);
 }
 
 }  // namespace
@@ -183,6 +228,7 @@ void LandmarkFinder::find(const PictureView& view, const ColourGrid& grid, const
                           Percepts& out) {
   const std::span<const Bar> bars = chainer_.chain(view, grid);
   const Sight sight{view, grid, chainer_};
+  Found posts, poles;
   for (const Bar& bar : bars) {
     if (bar.runs < 2) continue;
     const bool above = field.pole_radius > 0 && hasAnother(bar, bars, true);
@@ -190,11 +236,13 @@ void LandmarkFinder::find(const PictureView& view, const ColourGrid& grid, const
     if (!above && lower != nullptr && lower->runs > 1) {
       Stack stack{{&bar, lower, below(*lower, bars)}, 3};
       if (stack.bars[2] == nullptr || stack.bars[2]->runs < 2) stack.count = 2;
-      examinePole(sight, stack, field, out);
+      examinePole(sight, stack, field, poles);
     } else if (!above && lower == nullptr) {
-      examinePost(sight, bar, bars, field, out);
+      examinePost(sight, bar, bars, field, posts);
     }
   }
+  append(posts, out.posts, out);
+  append(poles, out.poles, out);
 }
 
 }  // namespace murosimf::controllers

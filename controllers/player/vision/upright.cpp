@@ -98,6 +98,8 @@ void findEnds(const Sight& sight, const Bar& upper, const Bar& lower, Upright& u
   const Edge down = walkToEdge(sight.view, signalOf(lower.colour), bottom, lower.slope, 1, 4 * sight.grid.step());
   upright.cut_below = down.end == Edge::End::kBorder;
   upright.cut_above = upper.top <= 1;
+  const int row = std::max(upper.top - 2, 0), column = static_cast<int>(upper.top_centre - 2 * upper.slope + 0.5);
+  upright.goes_on_above = column >= 0 && column < sight.grid.columns() && sight.grid.cell(column, row) == upper.colour;
   upright.lowest = down.end == Edge::End::kFound ? down.at : bottom;
   upright.highest = {top.u, top.v - 0.5 * sight.grid.step()};
   upright.below = down.end == Edge::End::kFound ? down.outside : Colour::kOther;

@@ -16,6 +16,7 @@ struct Upright {
   double half_width = 0;                      ///< [pixels]
   PixelPoint lowest, highest;                 ///< ends of the middle line
   Colour below = Colour::kOther;              ///< what the middle line ends at
+  bool goes_on_above = false;                 ///< in the same colour, as a post does into its crossbar
   bool cut_below = false, cut_above = false;  ///< by the border of the picture
 };
 
