@@ -16,8 +16,7 @@ struct GroundPatch {
   static constexpr int kCornersAtMost = 5;
   float x[kCornersAtMost + 1], y[kCornersAtMost + 1], w[kCornersAtMost + 1];
   int corners;
-  bool clipped;  ///< some of the rectangle lies farther than anything painted
-  float reach;   ///< upper bound of half a footprint [m]
+  float reach;  ///< upper bound of half a footprint [m]
 };
 
 /// Corner a, and where the edge from a to b passes w_far.
@@ -28,7 +27,6 @@ inline void addCorner(const CastGround& ground, float ax, float ay, float bx, fl
     patch.x[patch.corners] = ax, patch.y[patch.corners] = ay, patch.w[patch.corners] = wa;
     ++patch.corners;
   }
-  if (!a_near) patch.clipped = true;
   if (a_near == b_near) return;
   const float share = (wa - ground.w_far) / (wa - wb);
   patch.x[patch.corners] = ax + share * (bx - ax), patch.y[patch.corners] = ay + share * (by - ay);
@@ -40,7 +38,7 @@ inline GroundPatch findPatch(const Tile& tile) {
   const TileRays& rays = tile.rays;
   const CastGround& ground = tile.scene.ground;
   GroundPatch patch;
-  patch.corners = 0, patch.clipped = false;
+  patch.corners = 0;
   const float u = abs(rays.x_u) + abs(rays.y_u), v = abs(rays.x_v) + abs(rays.y_v);
   const float left = rays.x_low - 0.5F * u, right = rays.x_high + 0.5F * u;  // room for four samples a pixel
   const float top = rays.y_low - 0.5F * v, bottom = rays.y_high + 0.5F * v;

@@ -19,7 +19,7 @@ inline void castSample(const Tile& tile, const GroundPatch& patch) {
   StripsInPatch carpet{0, 0, 0};
   if (patch.corners > 0) carpet = findStrips<S>(g, patch, 0);
   const bool some_carpet = (carpet.shown & 1U) != 0;
-  const bool carpet_ends = some_carpet && (patch.clipped || ((carpet.sides | carpet.ends) & 1U) != 0);
+  const bool carpet_ends = some_carpet && ((carpet.sides | carpet.ends) & 1U) != 0;
   castPlane<S>(tile, some_carpet ? g.carpet : g.surroundings);
   castSurfaces<S>(tile);
   const bool painted = patch.corners > 0 && addPaint<S>(tile, patch);
