@@ -157,7 +157,7 @@ void ControlLoop::launch(Runner& runner, long frame) {
   runner.sensors.team_messages = runner.inbox;
   runner.asked = frame;
   runner.answered = true;
-  if (observer_ != nullptr) observer_->onSensors(runner.index, frame);
+  for (ControlObserver* observer : observers_) observer->onSensors(runner.index, frame);
   runner.busy = true;
   pool_->arena.execute([&] { pool_->group.run([this, &runner, frame] { runTask(runner, frame); }); });
 }
@@ -179,8 +179,8 @@ void ControlLoop::runTask(Runner& runner, long frame) {
   runner.controlled.program->step(runner.sensors, runner.commands);
   runner.counts.program_seconds += secondsSince(start);
   ++runner.counts.steps;
-  if (observer_ != nullptr) {
-    observer_->onStep(runner.index, frame, runner.sensors, runner.controlled, runner.controlled.program->report());
+  for (ControlObserver* observer : observers_) {
+    observer->onStep(runner.index, frame, runner.sensors, runner.controlled, runner.controlled.program->report());
   }
   runner.busy = false;
 }

@@ -62,7 +62,8 @@ class ControlLoop {
   const ControlledRobot& robot(int index) const;
   /// The robot with this path's object; -1 when it is not controlled here.
   int indexOf(ObjectId robot) const;
-  void observe(ControlObserver* observer) { observer_ = observer; }
+  /// Observers are called in the order in which they were added; add them before the first frame.
+  void observe(ControlObserver* observer) { observers_.push_back(observer); }
   void setGame(int robot, const client::GameInfo& game);
   const client::ControlReport* report(int robot) const;
 
@@ -92,7 +93,7 @@ class ControlLoop {
   std::unique_ptr<Pool> pool_;
   std::vector<RayScene> snapshots_;  // two: one may still be looked at
   std::size_t next_snapshot_ = 0;
-  ControlObserver* observer_ = nullptr;
+  std::vector<ControlObserver*> observers_;
 };
 
 }  // namespace murosimf

@@ -29,13 +29,14 @@ Simulation::Simulation(std::shared_ptr<const World> world, std::unique_ptr<Linke
 Simulation::~Simulation() = default;
 
 void Simulation::start() {
+  if (started_) return;
   started_ = true;
   if (control_ != nullptr) control_->start();
 }
 
 void Simulation::step() {
   stages_.start();
-  if (!started_) start();
+  start();
   interventions_.apply(frame_);
   stages_.lap(Stage::kInterventions);
   if (control_ != nullptr) control_->applyCommands(frame_);
