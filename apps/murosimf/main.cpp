@@ -1,0 +1,74 @@
+// The command line: murosimf run | check | modules | compare.
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "murosimf/commands.h"
+
+namespace {
+
+using namespace murosimf;
+
+void addRun(CLI::App& app, RunArguments& run) {
+  CLI::App* command = app.add_subcommand("run", "play a scenario");
+  command->add_option("scenario", run.scenario, "scenario file (.toml)")->required();
+  command->add_option("--set", run.overrides, "PATH=VALUE: change any value of the scenario")->allow_extra_args(false);
+  const auto shortcut = [&](const char* flag, const char* key, const char* help) {
+    command->add_option_function<std::string>(
+        flag, [&run, key](const std::string& value) { run.overrides.push_back(std::string(key) + "=" + value); }, help);
+  };
+  shortcut("--seed", "simulation.seed", "another seed, another game");
+  shortcut("--threads", "simulation.threads", "threads to use; 0: all");
+  shortcut("--lanes", "simulation.lanes", "robots per SIMD block: 1, 4, 8; 0: automatic");
+  shortcut("--duration", "simulation.duration", "simulated seconds");
+  shortcut("--pace", "simulation.pace", "simulated seconds per second of the wall clock; 0: as fast as possible");
+  command->add_option("--out", run.out, "folder of the results");
+  command->add_option("--record", run.record, "write a recording of every frame to this file");
+  command->add_option("--video", run.video, "film the game into this file (mp4); none: no film");
+  command->add_option("--checkpoint", run.checkpoint, "write a checkpoint to this file");
+  command->add_option("--checkpoint-at", run.checkpoint_time, "simulated time of the checkpoint [s]; default: the end");
+  command->add_option("--from", run.from, "continue from this checkpoint");
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"murosimf: simulates teams of humanoid robots to test their control software"};
+  app.set_version_flag("--version", MUROSIMF_VERSION);
+  app.require_subcommand(1);
+  RunArguments run_arguments;
+  addRun(app, run_arguments);
+
+  std::vector<std::string> files;
+  CLI::App* check = app.add_subcommand("check", "look for mistakes in scenarios (.toml) and robots (.urdf)");
+  check->add_option("files", files, "files to check")->required();
+
+  std::string scenario;
+  CLI::App* modules = app.add_subcommand("modules", "print the table of modules and properties");
+  modules->add_option("--scenario", scenario, "print the passes that this scenario schedules instead");
+
+  std::string a, b;
+  CLI::App* compare = app.add_subcommand("compare", "say where two runs differ first");
+  compare->add_option("a", a, "recording or report.json of the one run")->required();
+  compare->add_option("b", b, "the same of the other")->required();
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : kWrongInput;
+  }
+  if (check->parsed()) return checkFiles(files);
+  if (modules->parsed()) return printModules(scenario);
+  if (compare->parsed()) return compareRuns(a, b);
+  return runScenario(run_arguments);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& fault) {
+    std::fprintf(stderr, "murosimf: fault: %s\n", fault.what());
+    return murosimf::kFault;
+  }
+}
