@@ -34,6 +34,7 @@ double polynomialSlope(const CameraModel& camera, double s) {
   return 1.0 + s * (3.0 * kc[0] + s * (5.0 * kc[1] + s * 7.0 * kc[4]));
 }
 
+// Within linear_from the polynomial; beyond it r L(r) is the tangent there, so L = rest / r + slope.
 RadialFactor radialFactor(const CameraModel& camera, double s) {
   const auto& kc = camera.kc;
   const double from = camera.linear_from;
@@ -141,6 +142,8 @@ RaySlopes unproject(const CameraModel& camera, ImagePoint place) {
   return unproject(camera, place, validRadius(camera));
 }
 
+// Newton's method with the analytic Jacobian, from the distorted slopes. For barrel distortion the radial curve is
+// concave and steps approach the ray from below; halving guards the rest. It goes on until rounding stops it.
 RaySlopes unproject(const CameraModel& camera, ImagePoint place, double valid_radius) {
   RaySlopes distorted;
   distorted.y = (place.v - camera.cy) / camera.fy;

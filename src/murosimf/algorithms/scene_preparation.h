@@ -17,6 +17,11 @@ struct CameraView {
 };
 CameraView viewOf(const RayScene& scene, const Pose& X_WC);
 
+/// A form of slopes (x, y) from its coefficients (of x, of y, constant).
+LinearForm formOf(const Vector3& v);
+/// A colour in the light that falls on a surface whose normal has this cosine with the lamp's direction.
+CastColour litColour(const CameraView& view, const Colour& colour, double cosine, double factor = 1.0);
+
 /// Appends a drawable to work.surfaces and work.extents, unless it lies behind the camera or holds it.
 void addSurface(const CameraView& view, const Drawable& drawable, PreparedScene& work);
 /// The same for its soft shadow on the ground; none when it stands higher than 0.2 m.
