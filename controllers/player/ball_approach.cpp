@@ -8,13 +8,13 @@ namespace murosimf::controllers {
 namespace {
 
 constexpr KickZone kZone;
-constexpr double kBehind = 0.12;              // standoff behind the kick pose [m]
-constexpr double kBallCircle = 0.26;          // the hips keep this far from the ball when going around [m]
-constexpr double kObstacleClearance = 0.32;   // [m]
-constexpr double kLineUpSpeed = 0.06;         // [m/s]
-constexpr double kRollingDeceleration = 0.3;  // [m/s^2]
-constexpr double kReach = 0.6;                // "near the ball" [m]
-constexpr double kRetreatTime = 3.0;          // [s]
+constexpr double kBehind = 0.12;                      // standoff behind the kick pose [m]
+constexpr double kBallCircle = 0.26;                  // the hips keep this far from the ball when going around [m]
+constexpr double kObstacleClearance = 0.32;           // [m]
+constexpr WalkCommand kLineUpSpeed{0.12, 0.08, 0.8};  // largest
+constexpr double kRollingDeceleration = 0.3;          // [m/s^2]
+constexpr double kReach = 0.6;                        // "near the ball" [m]
+constexpr double kRetreatTime = 3.0;                  // [s]
 
 /// Where the rolling ball will be when the robot gets there, at the latest where it stops.
 Point meetingPoint(const Situation& now) {
@@ -23,6 +23,13 @@ Point meetingPoint(const Situation& now) {
   const double time = std::min(speed / kRollingDeceleration, norm(now.ball_R) / 0.2);
   const double way = std::min(1.5, speed * time - 0.5 * kRollingDeceleration * time * time);
   return now.ball_R + (way / speed) * now.ball_velocity_R;
+}
+
+/// Pose in which the robot would come to rest if it stopped now, in R: it slows down evenly.
+PlanarPose restingPose(const WalkCommand& v) {
+  const WalkCommand& change = WalkParameters{}.largest_change;
+  return {v.vx * std::fabs(v.vx) / (2 * change.vx), v.vy * std::fabs(v.vy) / (2 * change.vy),
+          v.omega * std::fabs(v.omega) / (2 * change.omega)};
 }
 
 }  // namespace
@@ -62,7 +69,7 @@ bool BallApproach::ballInZone(const Point& ball_R, double margin) const {
 }
 
 bool BallApproach::worthKicking(const Situation& now) const {
-  const double kicked_F = now.X_FR.heading + sideSign(foot_) * kKickDeviation;
+  const double kicked_F = now.X_FR.heading + restingPose(now.velocity).heading + sideSign(foot_) * kKickDeviation;
   const double patience = 0.25 + 0.06 * std::max(0.0, time_near_ - 6);  // gives in, but never to an own goal
   return shot_.value(kicked_F) > std::max(best_value_ - patience, -6.0);
 }
@@ -102,8 +109,8 @@ Decision BallApproach::goBehind(const Situation& now) {
   const PlanarPose kick = kickPose(now.ball_R, 0);
   // Where the robot is, seen from the kick pose: behind it, not beside it, looking along.
   const Point from_kick = turnedBack(sincos(kick.heading), Point{-kick.x, -kick.y});
-  const bool behind = from_kick.x > -0.2 && from_kick.x < 0.05 && std::fabs(from_kick.y) < 0.05;
-  if (behind && std::fabs(kick.heading) < degrees(15)) {
+  const bool behind = from_kick.x > -0.32 && from_kick.x < 0.05 && std::fabs(from_kick.y) < 0.08;
+  if (behind && std::fabs(kick.heading) < degrees(25)) {
     stage_ = Stage::kLineUp;
     return lineUp(now);
   }
@@ -120,19 +127,21 @@ Decision BallApproach::goBehind(const Situation& now) {
 Decision BallApproach::lineUp(const Situation& now) {
   const PlanarPose kick = kickPose(now.ball_R, 0);
   const Point from_kick = turnedBack(sincos(kick.heading), Point{-kick.x, -kick.y});
-  const bool lost = from_kick.x < -0.28 || std::fabs(from_kick.y) > 0.12 || std::fabs(kick.heading) > degrees(35) ||
+  const bool lost = from_kick.x < -0.42 || std::fabs(from_kick.y) > 0.15 || std::fabs(kick.heading) > degrees(40) ||
                     now.ball_R.x < 0.08;
   if (lost) stage_ = Stage::kGoBehind;
-  const bool ready = ballInZone(now.ball_R, -0.012) && worthKicking(now) && norm(now.ball_velocity_R) < 0.15;
+  const bool ready = ballInZone(transformedBack(restingPose(now.velocity), now.ball_R), -0.01) && worthKicking(now) &&
+                     norm(now.ball_velocity_R) < 0.15;
   if (ready) stage_ = Stage::kStop;
-  const WalkCommand walk{clamp(1.2 * kick.x, -kLineUpSpeed, kLineUpSpeed), clamp(1.5 * kick.y, -0.06, 0.06),
-                         clamp(1.5 * kick.heading, -0.6, 0.6)};
+  const WalkCommand walk{clamp(1.5 * kick.x, -kLineUpSpeed.vx, kLineUpSpeed.vx),
+                         clamp(2.0 * kick.y, -kLineUpSpeed.vy, kLineUpSpeed.vy),
+                         clamp(2.0 * kick.heading, -kLineUpSpeed.omega, kLineUpSpeed.omega)};
   return {{MotionRequest::Kind::kWalk, walk, kRight}, HeadRequest::Kind::kWatchBall, "line up"};
 }
 
 Decision BallApproach::stopAndKick(const Situation& now) {
   Decision decision{{MotionRequest::Kind::kStand, {}, foot_}, HeadRequest::Kind::kWatchBall, "kick"};
-  if (!ballInZone(now.ball_R, 0.012)) {
+  if (!ballInZone(transformedBack(restingPose(now.velocity), now.ball_R), 0.01)) {
     stage_ = Stage::kLineUp;
     return decision;
   }

@@ -13,6 +13,7 @@ constexpr double kSweepTime = 1.5, kTurnTime = 11.0, kTurnRate = 0.65;  // searc
 constexpr double kStepBackTime = 4.0;                                   // [s]
 constexpr double kStayBonus = 1.0;  // who is on the way to the ball keeps going unless a mate is this much faster [s]
 constexpr double kNoCost = 1e9;
+constexpr double kLostDeviation = 0.5;  // of the own position: time to look for landmarks [m]
 
 double clampAge(double age) { return std::min(age, 5.0); }
 
@@ -153,6 +154,8 @@ Vector3 Behaviour::landmark(const Situation& now) const {
 }
 
 HeadRequest Behaviour::headRequest(const Situation& now, HeadRequest::Kind kind, bool head_glances) {
+  const bool lost = kind == HeadRequest::Kind::kBallAndField && now.position_deviation > kLostDeviation;
+  if (lost) kind = HeadRequest::Kind::kLookAround;
   HeadRequest request{kind, {now.ball_R.x, now.ball_R.y, pitch_.ball_radius}, {}, false};
   if (!head_glances) landmark_ = static_cast<int>(std::floor(now.time / 2.3)) % 4;
   for (int tried = 0; tried < 4 && !request.has_landmark; ++tried) {

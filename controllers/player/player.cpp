@@ -103,6 +103,7 @@ Situation Player::gather(const client::SensorFrame& sensors) {
     robots_R_.push_back(transformedBack(now.X_FR, {mate.pose.x, mate.pose.y}));
   now.robots_R = robots_R_;
   now.settled = body_.settled(), now.kicking = body_.kicking(), now.kick_time = body_.kickTime();
+  now.velocity = body_.velocity();
   return now;
 }
 

@@ -24,7 +24,7 @@ class ShotChoice {
   double value(double direction) const;
 
   /// How far a kicked ball rolls [m].
-  static constexpr double kRange = 2.2;
+  static constexpr double kRange = 1.7;
   /// Value of a goal [m]: a place 4 m closer to the goal than its centre.
   static constexpr double kGoalValue = 4.0;
   /// Time and risk of turning, in the same unit [m/rad].

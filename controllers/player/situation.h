@@ -10,6 +10,7 @@
 #include "murosimf/control/client/robot_description.h"
 #include "murosimf/control/client/robot_frames.h"
 #include "plane.h"
+#include "walking_engine.h"
 
 namespace murosimf::controllers {
 
@@ -38,6 +39,7 @@ struct Situation {
 
   bool settled = false;  ///< the body stands still
   bool kicking = false;
+  WalkCommand velocity;  ///< at which the body walks now
   double kick_time = 0;  ///< since the kick began [s]
 
   Point ball_F() const { return transformed(X_FR, ball_R); }

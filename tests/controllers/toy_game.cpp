@@ -6,7 +6,7 @@ namespace murosimf::controllers {
 
 namespace {
 
-constexpr double kDt = 0.01, kBallRadius = 0.07, kRolling = 0.3, kBounce = 0.5;
+constexpr double kDt = 0.01, kBallRadius = 0.07, kRolling = 0.3, kSliding = 4.0, kBounce = 0.5;
 constexpr double kApart = 0.22;  // two robots' middles are no closer than this [m]
 
 PlanarPose turnedField(const PlanarPose& pose, int team) {
@@ -145,10 +145,23 @@ void ToyGame::touch(const Point& p, const Point& normal, double depth, const Poi
   if (approach < 0) ball_.v = ball_.v - ((1 + kBounce) * approach) * normal;
 }
 
-void ToyGame::rollBall(const std::vector<std::array<Pose, 2>>& soles_before) {
+/// Sliding friction a slows the ball by a and spins it up by a / beta until it rolls; beta = 2/3 for a thin shell.
+void ToyGame::slideAndRoll() {
+  const Point slip = ball_.v - ball_.rolling;
+  const double slipping = norm(slip), beta = 2.0 / 3;
+  if (slipping > 1e-9) {
+    const double change = std::min(kSliding * kDt, slipping / (1 + 1 / beta));
+    ball_.v = ball_.v - (change / slipping) * slip;
+    ball_.rolling = ball_.rolling + (change / beta / slipping) * slip;
+  }
   const double speed = norm(ball_.v);
-  if (speed > 0) ball_.v = (std::max(0.0, speed - kRolling * kDt) / speed) * ball_.v;
+  const double kept = speed > 0 ? std::max(0.0, speed - kRolling * kDt) / speed : 0.0;
+  ball_.v = kept * ball_.v, ball_.rolling = kept * ball_.rolling;
   ball_.p = ball_.p + kDt * ball_.v;
+}
+
+void ToyGame::rollBall(const std::vector<std::array<Pose, 2>>& soles_before) {
+  slideAndRoll();
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const Pose X_FR = toPose(robots_[i]->puppet.pose());
     for (std::size_t side = 0; side < 2; ++side) {

@@ -2,8 +2,8 @@
 
 /// @file A small game for closed-loop tests of the player: puppets, exact percepts and a ball that feet push.
 ///
-/// Everything is in field coordinates; blue's own frame is turned by half a turn. The ball is a disc that rolls with
-/// constant deceleration and bounces off soles; goals and kick-offs are counted, balls that leave the field are put
+/// Everything is in field coordinates; blue's own frame is turned by half a turn. The ball is a thin shell that
+/// slides, then rolls, and bounces off soles; goals and kick-offs are counted, balls that leave the field are put
 /// back. No physics is claimed: it is there to see whether decisions lead to kicks and kicks to goals.
 
 #include <memory>
@@ -15,7 +15,8 @@
 namespace murosimf::controllers {
 
 struct ToyBall {
-  Point p, v;  ///< field [m], [m/s]
+  Point p, v;     ///< field [m], [m/s]
+  Point rolling;  ///< velocity at which it would roll as fast as it turns [m/s]
 };
 
 /// Sees what stands in the frustum of a camera, exactly.
@@ -54,7 +55,7 @@ class ToyGame {
   }
   double time() const { return time_; }
   const ToyBall& ball() const { return ball_; }
-  void placeBall(const Point& p) { ball_ = {p, {}}, ++restarts_; }
+  void placeBall(const Point& p) { ball_ = {p, {}, {}}, ++restarts_; }
   PlanarPose pose(std::size_t i) const;  ///< of a robot's R on the field
   const client::ControlReport& report(std::size_t i) const { return robots_[i]->player->report(); }
   Player& player(std::size_t i) { return *robots_[i]->player; }
@@ -76,6 +77,7 @@ class ToyGame {
   };
   void stepRobot(Robot& robot);
   void keepApart(Robot& robot, const PlanarPose& before);
+  void slideAndRoll();
   void rollBall(const std::vector<std::array<Pose, 2>>& soles_before);
   void touch(const Point& p, const Point& normal, double depth, const Point& surface_velocity);
   void referee();
