@@ -31,6 +31,12 @@ PaintedGround groundOf(const client::FieldDescription& f) {
   ground.lines = {line(-x, -y, x, -y, w), line(-x, y, x, y, w), line(-x, -y, -x, y, w), line(x, -y, x, y, w),
                   line(0, -y, 0, y, w)};
   ground.circles = {{0, 0, f.centre_circle_radius, w}};
+  if (f.penalty_mark_distance > 0) {
+    for (const double mark : {x - f.penalty_mark_distance, f.penalty_mark_distance - x}) {
+      ground.lines.push_back({mark - w, 0, mark + w, 0, w});
+      ground.lines.push_back({mark, -w, mark, w, w});
+    }
+  }
   return ground;
 }
 
@@ -56,6 +62,7 @@ Drawable drawableOf(const Solid& s) {
 RayScene sceneOf(const SyntheticScene& scene) {
   RayScene cast;
   cast.ground = groundOf(scene.field);
+  cast.ground.brightness = static_cast<float>(scene.ground_brightness);
   cast.sky = {150 / 255.0F, 160 / 255.0F, 175 / 255.0F};
   cast.ground_shadows = true;
   for (const Solid& s : scene.solids) cast.drawables.push_back(drawableOf(s));

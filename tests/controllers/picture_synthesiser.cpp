@@ -97,14 +97,22 @@ double distanceToLine(const client::FieldDescription& f, double x, double y) {
     d = std::min(d, segment(ax, ay, gx, 0, gx, gy));
     d = std::min(d, segment(ax, ay, gx, gy, hx, gy));
   }
+  if (f.penalty_mark_distance > 0) {  // a cross of two strokes
+    const double mx = ax - (hx - f.penalty_mark_distance), w = f.line_width;
+    d = std::min(d, std::max(abs(ay), abs(mx) - w / 2));
+    d = std::min(d, std::max(abs(mx), ay - w / 2));
+  }
   return d;
 }
 
-Rgb groundColour(const client::FieldDescription& f, double x, double y, double footprint) {
-  if (abs(x) > f.length / 2 + f.border || abs(y) > f.width / 2 + f.border) return kFloor;
+Rgb groundColour(const SyntheticScene& scene, double x, double y, double footprint) {
+  const client::FieldDescription& f = scene.field;
+  const double light = scene.ground_brightness;
+  if (abs(x) > f.length / 2 + f.border || abs(y) > f.width / 2 + f.border)
+    return {kFloor[0] * light, kFloor[1] * light, kFloor[2] * light};
   const double cover = std::clamp(0.5 + (f.line_width / 2 - distanceToLine(f, x, y)) / footprint, 0.0, 1.0);
   Rgb c;
-  for (std::size_t i = 0; i < 3; ++i) c[i] = kCarpet[i] + cover * (kPaint[i] - kCarpet[i]);
+  for (std::size_t i = 0; i < 3; ++i) c[i] = light * (kCarpet[i] + cover * (kPaint[i] - kCarpet[i]));
   return c;
 }
 
@@ -167,7 +175,7 @@ SyntheticScene emptyField() {
   scene.field = smallField();
   addGoal(scene, 1, kYellow, 10);
   addGoal(scene, -1, kBlue, 20);
-  const double y = scene.field.width / 2 + scene.field.border - 0.2;
+  const double y = scene.field.width / 2;
   addPole(scene, y, kYellow, kBlue, 30);
   addPole(scene, -y, kBlue, kYellow, 31);
   return scene;
@@ -250,7 +258,7 @@ void SyntheticCamera::render(const SyntheticScene& scene, const Pose& X_WC, std:
       }
       if (d.z < 0 && p.z / -d.z < nearest) {
         const double t = p.z / -d.z, footprint = t / description_.fx * sqrt(norm(d) / -d.z);
-        colour = groundColour(scene.field, p.x + t * d.x, p.y + t * d.y, footprint);
+        colour = groundColour(scene, p.x + t * d.x, p.y + t * d.y, footprint);
       }
       const std::size_t pixel = static_cast<std::size_t>(v * width + u);
       const std::uint64_t bits = random.bits(pixel);

@@ -30,7 +30,8 @@ struct Solid {
 struct SyntheticScene {
   client::FieldDescription field;
   std::vector<Solid> solids;
-  double gain = 1, noise = 4;  ///< [grey levels]
+  double gain = 1, noise = 4;    ///< noise [grey levels]
+  double ground_brightness = 1;  ///< of carpet, lines and floor alone
   std::uint64_t seed = 1;
 };
 

@@ -47,7 +47,7 @@ TEST(VisionLandmarks, PostWhoseFootIsOutOfThePictureIsMeasuredByItsWidth) {
 }
 
 TEST(VisionLandmarks, PoleIsNamedByItsTopSegmentEvenWhenThatIsCutOff) {
-  const PlanarPose robot{0, 0.2, kPi / 2};
+  const PlanarPose robot{0, -0.1, kPi / 2};
   for (const double tilt : {0.0, 0.42}) {  // whole; upper segment out of the picture
     const controllers::Percepts p = lookFrom(robot, 0, tilt);
     ASSERT_EQ(p.poles.size(), 1U) << tilt;
@@ -58,17 +58,17 @@ TEST(VisionLandmarks, PoleIsNamedByItsTopSegmentEvenWhenThatIsCutOff) {
 }
 
 TEST(VisionLandmarks, PoleWhoseFootIsCoveredIsMeasuredByItsWidth) {
-  const Solid box{Solid::Kind::kBox, {0, 1.3, 0.06}, 0, {0.2, 0.02, 0.06}, 0, {60, 60, 65}, 9};
-  const controllers::Percepts p = lookFrom({0, 0.2, kPi / 2}, 0, 0.1, 0, {box});
+  const Solid box{Solid::Kind::kBox, {0, 1.0, 0.06}, 0, {0.2, 0.02, 0.06}, 0, {60, 60, 65}, 9};
+  const controllers::Percepts p = lookFrom({0, -0.1, kPi / 2}, 0, 0.1, 0, {box});
   ASSERT_EQ(p.poles.size(), 1U);
   EXPECT_FALSE(p.poles[0].foot_seen);
   EXPECT_NEAR(p.poles[0].distance, 1.6, 0.05);
 }
 
 TEST(VisionLandmarks, HalfCoveredPoleWithoutFootIsNotReportedTooFarAway) {
-  const Solid screen{Solid::Kind::kBox, {0.14, 0.9, 0.3}, 0, {0.14, 0.02, 0.3}, 0, {60, 60, 65}, 9};
-  const Solid sill{Solid::Kind::kBox, {0, 0.95, 0.06}, 0, {0.3, 0.02, 0.06}, 0, {60, 60, 65}, 9};
-  const controllers::Percepts p = lookFrom({0, 0.2, kPi / 2}, 0, 0.1, 0, {screen, sill});
+  const Solid screen{Solid::Kind::kBox, {0.14, 0.6, 0.3}, 0, {0.14, 0.02, 0.3}, 0, {60, 60, 65}, 9};
+  const Solid sill{Solid::Kind::kBox, {0, 0.65, 0.06}, 0, {0.3, 0.02, 0.06}, 0, {60, 60, 65}, 9};
+  const controllers::Percepts p = lookFrom({0, -0.1, kPi / 2}, 0, 0.1, 0, {screen, sill});
   for (const auto& pole : p.poles) EXPECT_NEAR(pole.distance, 1.6, 0.25);
 }
 

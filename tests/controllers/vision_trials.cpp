@@ -274,16 +274,17 @@ void judge(const View& view, const Percepts& percepts, Tallies& tallies) {
   judgeRobots(view, percepts, tallies.robots);
 }
 
-Tallies runTrials(const Renderer& render, std::uint64_t first, int count, double gain, int camera, double tilt) {
+Tallies runTrials(const Renderer& render, std::uint64_t first, int count, int camera, const Conditions& conditions) {
   controllers::Vision vision;
   vision.start(observer());
   Tallies tallies;
   controllers::Percepts percepts;
   std::vector<std::uint8_t> rgb;
   for (int i = 0; i < count; ++i) {
-    const View view = randomView(first + static_cast<std::uint64_t>(i), gain, camera);
+    View view = randomView(first + static_cast<std::uint64_t>(i), conditions.gain, camera);
+    view.scene.ground_brightness = conditions.ground_brightness;
     render(view, rgb);
-    look(vision, view, rgb, percepts, tilt);
+    look(vision, view, rgb, percepts, conditions.tilt);
     judge(view, percepts, tallies);
   }
   return tallies;

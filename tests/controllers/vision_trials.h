@@ -56,6 +56,12 @@ void look(controllers::Vision& vision, const View& view, const std::vector<std::
 void judge(const View& view, const controllers::Percepts& percepts, Tallies& tallies);
 
 /// All of it for `count` seeds from `first`.
-Tallies runTrials(const Renderer& render, std::uint64_t first, int count, double gain, int camera, double tilt = 0);
+struct Conditions {
+  double gain = 1;               ///< of the camera
+  double ground_brightness = 1;  ///< light on the ground alone
+  double tilt = 0;               ///< error of the posture [rad]
+};
+Tallies runTrials(const Renderer& render, std::uint64_t first, int count, int camera,
+                  const Conditions& conditions = {});
 
 }  // namespace murosimf::test

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 
+#include "player/vision/line_fit.h"
+
 namespace murosimf::controllers {
 namespace {
 
-constexpr int kReach = 4;         ///< neighbours on each side
-constexpr int kFewest = 4;        ///< points that make a line
-constexpr double kSpacing = 0.1;  ///< least distance on the ground between points that are reported [m]
+constexpr int kReach = 4;            ///< neighbours on each side
+constexpr int kFewest = 4;           ///< points that make a line
+constexpr double kShortest = 0.12;   ///< stretch of a line; the cross of a penalty mark is two widths long [m]
+constexpr double kFarthestBent = 2;  ///< bends are told from corners up to there [m]
+constexpr double kSpacing = 0.1;     ///< least distance on the ground between points that are reported [m]
 
 /// How far from a crossing its neighbours may lie on the ground: the centre circle is straight for so long, as exactly
 /// as can be seen at that distance.
@@ -15,37 +19,6 @@ double windowAt(double distance) {
   const double window = 0.1 + 0.08 * distance;
   return window < 0.35 ? window : 0.35;
 }
-
-double squared(double x) { return x * x; }
-
-/// Straight line through points of the undistorted picture, by total least squares.
-struct FittedLine {
-  PlanePoint centre, direction;  ///< unit vector along it
-  double deviation = 0;          ///< rms across it
-  int count = 0;
-};
-
-class LineFit {
- public:
-  void add(const PlanePoint& p) {
-    ++n_;
-    sa_ += p.a, sb_ += p.b, saa_ += p.a * p.a, sab_ += p.a * p.b, sbb_ += p.b * p.b;
-  }
-  FittedLine solve() const {
-    const double a = sa_ / n_, b = sb_ / n_;
-    const double aa = saa_ / n_ - a * a, ab = sab_ / n_ - a * b, bb = sbb_ / n_ - b * b;
-    const double half = 0.5 * (aa - bb), root = sqrt(half * half + ab * ab), largest = 0.5 * (aa + bb) + root;
-    // Eigenvector of the larger eigenvalue, from the better conditioned row.
-    PlanePoint d = half >= 0 ? PlanePoint{largest - bb, ab} : PlanePoint{ab, largest - aa};
-    const double length = sqrt(d.a * d.a + d.b * d.b);
-    d = length > 0 ? PlanePoint{d.a / length, d.b / length} : PlanePoint{1, 0};
-    return {{a, b}, d, sqrt(std::max(0.0, largest - 2 * root)), n_};
-  }
-
- private:
-  int n_ = 0;
-  double sa_ = 0, sb_ = 0, saa_ = 0, sab_ = 0, sbb_ = 0;
-};
 
 /// How well b, on the scan after a, continues the same line; larger is worse, 1 or more is no match.
 double mismatch(const Crossing& a, const Crossing& b, bool vertical, double spacing, double metres_per_pixel) {
@@ -62,23 +35,32 @@ class Neighbourhood {
   Neighbourhood(const std::vector<Crossing>& all, const Crossing& centre)
       : all_(all), centre_(centre), window_(windowAt(horizontal(centre.ground))) {}
 
-  FittedLine fit(bool before, bool after) const {
+  /// @param bent the tangent of a bent line instead of a straight one
+  FittedLine fit(bool before, bool after, bool bent = false) const {
     LineFit line;
     line.add(centre_.ray);
-    if (before) add(line, &Crossing::previous);
-    if (after) add(line, &Crossing::next);
-    return line.solve();
+    const Vector3 first = before ? add(line, &Crossing::previous) : centre_.ground;
+    const Vector3 last = after ? add(line, &Crossing::next) : centre_.ground;
+    FittedLine fitted = bent ? line.tangent() : line.straight();
+    fitted.length = norm(last - first);
+    return fitted;
   }
 
  private:
-  void add(LineFit& line, int Crossing::*way) const {
-    int i = centre_.*way;
-    for (int k = 0; k < kReach && i >= 0; ++k) {
+  /// Adds neighbours on one side, evenly over the window. @returns where the last of them lies on the ground
+  Vector3 add(LineFit& line, int Crossing::*way) const {
+    Vector3 last = centre_.ground;
+    const double spacing = window_ / (kReach + 1);
+    int added = 0;
+    for (int i = centre_.*way; i >= 0 && added < kReach; i = all_[static_cast<std::size_t>(i)].*way) {
       const Crossing& c = all_[static_cast<std::size_t>(i)];
-      if (squaredNorm(c.ground - centre_.ground) > window_ * window_) return;
+      if (squaredNorm(c.ground - centre_.ground) > window_ * window_) break;
+      if (squaredNorm(c.ground - last) < spacing * spacing) continue;
       line.add(c.ray);
-      i = c.*way;
+      last = c.ground;
+      ++added;
     }
+    return last;
   }
 
   const std::vector<Crossing>& all_;
@@ -86,13 +68,16 @@ class Neighbourhood {
   double window_;
 };
 
-/// The best straight line through a crossing. Where lines meet, that may be one side's alone.
+/// The best line through a crossing: straight; bent, as the centre circle near by; or straight on one side only, where
+/// lines meet.
 std::optional<FittedLine> fitAround(const std::vector<Crossing>& crossings, const Crossing& crossing,
                                     double roughness) {
   const Neighbourhood neighbours(crossings, crossing);
   const FittedLine both = neighbours.fit(true, true);
   if (both.count < kFewest) return std::nullopt;
   if (both.deviation < roughness) return both;
+  const FittedLine bent = neighbours.fit(true, true, true);
+  if (bent.deviation < roughness && horizontal(crossing.ground) < kFarthestBent) return bent;
   const FittedLine before = neighbours.fit(true, false), after = neighbours.fit(false, true);
   const bool before_good = before.count >= kFewest && before.deviation < roughness;
   const bool after_good = after.count >= kFewest && after.deviation < roughness;
@@ -143,10 +128,9 @@ void LineFinder::linkNeighbours(const PictureView& view) {
 }
 
 bool LineFinder::measure(const PictureView& view, const Crossing& c, double line_width, Point& point) {
-  // Half a pixel of noise, and what the centre circle's bend makes of a near line.
-  const double distance = horizontal(c.ground), bend = 0.004 / squared(distance + 0.3);
-  const auto line = fitAround(scanner_.crossings(), c, 0.6 / view.description->fx + bend);
-  if (!line) return false;
+  const double distance = horizontal(c.ground);
+  const auto line = fitAround(scanner_.crossings(), c, 0.8 / view.description->fx);
+  if (!line || line->length < kShortest) return false;
   const auto ground = onGround(view, *line, c.ray);
   if (!ground) return false;
   const double length = norm(c.across), width = abs(dot(c.across, ground->normal));

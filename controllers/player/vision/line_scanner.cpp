@@ -32,7 +32,7 @@ int topRow(const PictureView& view, int u) {
 void GroundScale::measure(const PictureView& view) {
   const double u = 0.5 * view.width;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const double v = static_cast<double>(i) * kSpacing + kSpacing / 2;
+    const double v = (static_cast<double>(i) + 0.5) * kSpacing;
     const auto p = view.ground(u, v), below = view.ground(u, v + 1), right = view.ground(u + 1, v);
     rows_[i] = p && below && right ? Scale{norm(*below - *p), norm(*right - *p)} : Scale{1, 1};
   }

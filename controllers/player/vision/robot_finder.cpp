@@ -9,31 +9,32 @@ namespace {
 constexpr double kNearest = 0.25, kFarthest = 5;          ///< own feet are nearer than that [m]
 constexpr double kLowestMark = 0.12, kHighestMark = 0.6;  ///< above the ground [m]
 constexpr double kHalfWidth = 0.22;                       ///< of a robot, arms included [m]
+constexpr int kLineAtBorder = 6;  ///< so many cells of carpet or line down to the border are no robot
 constexpr std::size_t kMostMarks = 32;
 
-bool isField(Colour c) { return c == Colour::kGreen || c == Colour::kWhite; }
-
-/// Last row of the obstacle in this column, going down from `row`; rows() if it reaches the border of the picture, -1
-/// if there is none. Two field cells in succession are the field; one may be noise, or a bright part.
+/// Last row of the obstacle in this column, going down from `row`; rows() if it reaches down to the
+/// border of the picture, -1 if there is none. Two green cells in succession are carpet; one may be noise. White before
+/// the carpet is a line that the robot stands on.
 int footRow(const ColourGrid& grid, int column, int row) {
-  int last = -1;
+  int last_dark = -1;
   for (; row < grid.rows(); ++row) {
-    if (!isField(grid.cell(column, row))) {
-      last = row;
-    } else if (row + 1 < grid.rows() && isField(grid.cell(column, row + 1))) {
-      return last;
+    const Colour colour = grid.cell(column, row);
+    if (colour == Colour::kGreen) {
+      if (row + 1 < grid.rows() && grid.cell(column, row + 1) == Colour::kGreen) return last_dark;
+    } else if (colour != Colour::kWhite) {
+      last_dark = row;
     }
   }
-  return grid.rows();
+  return row - last_dark > kLineAtBorder ? last_dark : row;
 }
 
-/// The lowest place, in picture coordinates, that columns below the region reach, none if it is out of the picture.
+/// The lowest place, in picture coordinates, that columns below the region reach; perhaps the border of the picture.
 std::optional<PixelPoint> footOf(const ColourGrid& grid, const Region& region) {
   const int widen = std::max(2, (region.right - region.left + 1) / 2);
   const int first = std::max(0, region.left - widen), last = std::min(grid.columns() - 1, region.right + widen);
   int lowest = -1;
   for (int column = first; column <= last; ++column) lowest = std::max(lowest, footRow(grid, column, region.bottom));
-  if (lowest < 0 || lowest >= grid.rows() - 1) return std::nullopt;
+  if (lowest < 0) return std::nullopt;
   int sum = 0, count = 0;
   for (int column = first; column <= last; ++column) {
     if (footRow(grid, column, region.bottom) < lowest - 1) continue;
@@ -50,6 +51,7 @@ struct Mark {
   Vector3 direction;      ///< to the mark, horizontal length 1
   PixelPoint pixel;       ///< of the foot
   double half_width = 0;  ///< [pixels]
+  bool cut = false;       ///< the foot is out of the picture, nearer than this
 };
 
 double heightAt(const PictureView& view, const Vector3& direction, double distance) {
@@ -63,7 +65,8 @@ std::optional<Mark> examine(const PictureView& view, const ColourGrid& grid, con
   if (!foot) return std::nullopt;
   const double u = grid.pixelOf((region.left + region.right) / 2), v = grid.pixelOf((region.top + region.bottom) / 2);
   const Vector3 d = view.direction(u, v);
-  Mark mark{*foot, horizontal(*foot - view.X_RC.translation), d * (1 / horizontal(d)), *pixel, 0};
+  Mark mark{*foot, horizontal(*foot - view.X_RC.translation), d * (1 / horizontal(d)), *pixel};
+  mark.cut = pixel->v > view.height - 1.5 * grid.step();
   mark.half_width = 0.5 * (region.right - region.left + 1) * grid.step();
   if (mark.distance < kNearest || mark.distance > kFarthest) return std::nullopt;
   const double height = heightAt(view, mark.direction, mark.distance), tolerance = 0.04 * mark.distance;
@@ -100,6 +103,7 @@ void findRobots(const PictureView& view, const ColourGrid& grid, Percepts& out) 
                                    [&](const Mark& robot) { return belongsTo(view, mark, robot); });
     if (known) continue;
     marks[robots++] = mark;
+    if (mark.cut) continue;  // it stands there, but who knows where
     out.robots.push_back({mark.foot.x, mark.foot.y});
     out.drawn.push_back({client::Percept::Kind::kRobot, view.camera, mark.pixel.u, mark.pixel.v, mark.half_width,
                          horizontal(mark.foot)});

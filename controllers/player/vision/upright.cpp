@@ -69,7 +69,8 @@ void measureRow(const PictureView& view, const Bar& bar, const PixelPoint& middl
 }
 
 PixelPoint pixelOf(const ColourGrid& grid, double column, double row) {
-  return {column * grid.step() + grid.step() / 2, row * grid.step() + grid.step() / 2};
+  const double half = grid.pixelOf(0);
+  return {column * grid.step() + half, row * grid.step() + half};
 }
 
 /// Some of the rows of a bar, evenly. Its ends may show the next thing already: they are left out where there is room.
