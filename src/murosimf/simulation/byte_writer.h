@@ -23,8 +23,10 @@ class ByteWriter {
   }
   /// Characters alone.
   void raw(std::string_view x) { bytes_.insert(bytes_.end(), x.begin(), x.end()); }
-  /// Changes a byte written before.
-  std::uint8_t& at(std::size_t place) { return bytes_[place]; }
+  /// Overwrites four bytes written before.
+  void setU32(std::size_t place, std::uint32_t x) {
+    for (std::size_t i = 0; i < 4; ++i) bytes_[place + i] = static_cast<std::uint8_t>(x >> (8 * i));
+  }
 
   const std::vector<std::uint8_t>& bytes() const { return bytes_; }
   std::size_t size() const { return bytes_.size(); }

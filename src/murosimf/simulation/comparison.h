@@ -21,7 +21,7 @@ struct StateDifference {
 
 struct Comparison {
   bool equal = true;                     ///< everything that both runs have is the same, and both have the same
-  long frames = 0;                       ///< compared, up to and including the first difference
+  std::string compared;                  ///< how much: "1200 frames", up to and including the first difference
   std::optional<StateDifference> first;  ///< of state
   std::vector<std::string> notes;        ///< other differences: length, columns, interventions, scenario, hashes
   /// A few lines for people; names as given.

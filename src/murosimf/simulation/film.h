@@ -36,7 +36,7 @@ struct FilmReport {
 
 class Film final : public FrameObserver {
  public:
-  /// Starts ffmpeg. The first picture is of the moment after the first frame. @throws std::runtime_error as VideoPipe.
+  /// Starts ffmpeg. The first picture shows the end of the first frame. @throws std::runtime_error as VideoPipe.
   Film(Simulation& simulation, FilmSettings settings);
   ~Film() override;
 
@@ -55,12 +55,15 @@ class Film final : public FrameObserver {
   Overview overview_;
   VideoPipe video_;
   long taken_ = 0, rate_;
-  FilmReport report_;
+  FilmReport report_;  // the frame thread's
+  long pictures_ = 0;  // the film thread's, as the next line
+  double render_seconds_ = 0, encode_seconds_ = 0;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<OverviewShot> shots_;
   std::deque<OverviewShot*> free_, waiting_;  // guarded by mutex_, as is ended_
   bool ended_ = false;
+  long start_frame_;
   std::thread thread_;
 };
 

@@ -39,9 +39,8 @@ class LiveLine {
   Settings settings_;
   bool terminal_;
   bool started_ = false, open_ = false;
-  std::size_t shown_ = 0;                            // characters on the open line
-  double start_simulated_ = 0, last_simulated_ = 0;  // [s]
-  double start_wall_ = 0, last_wall_ = 0;
+  std::size_t shown_ = 0;                      // characters on the open line
+  double last_simulated_ = 0, last_wall_ = 0;  // [s]
   StageClock last_stages_;
 };
 

@@ -14,7 +14,7 @@
 
 namespace murosimf {
 
-/// Register with Simulation::observe; where other observers change nothing between frames the order does not matter.
+/// Register with Simulation::observe. Recording begins with the next frame that is run.
 class Recorder final : public FrameObserver {
  public:
   /// @throws std::runtime_error naming the file when it cannot be written.
@@ -28,10 +28,12 @@ class Recorder final : public FrameObserver {
   std::string finish();
 
  private:
+  void begin(const Simulation& simulation);
   void writeHeader();
-  void writeInterventions(const Simulation& simulation);
-  void writeColumn(std::uint32_t column, const double* now);
-  void flush(std::size_t at_least);
+  void writeInterventions(const Simulation& simulation, long frame);
+  void writeFrame(long frame);
+  bool writeColumn(std::uint32_t column);
+  void flush();
 
   struct CloseFile {
     void operator()(std::FILE* f) const { std::fclose(f); }
@@ -39,9 +41,10 @@ class Recorder final : public FrameObserver {
   std::filesystem::path file_;
   std::unique_ptr<std::FILE, CloseFile> stream_;
   RecordingHeader header_;
-  std::vector<double> last_, now_;  // numbers of all columns
-  std::size_t logged_ = 0;          // interventions written
+  std::vector<std::uint64_t> last_, now_;  // bits of all columns' numbers
+  std::size_t logged_ = 0;                 // interventions written
   std::uint64_t frames_ = 0;
+  bool begun_ = false;
   ByteWriter bytes_;
   std::string error_;
 };

@@ -47,12 +47,14 @@ class Simulation {
   const SceneView& view() const { return view_; }
   PairPhase& pairs() { return pairs_; }
   InterventionQueue& interventions() { return interventions_; }
+  const InterventionQueue& interventions() const { return interventions_; }
   const StageClock& stages() const { return stages_; }
 
   /// Gives the robots their control software. Call before the first frame.
   void setControl(std::unique_ptr<ControlLoop> control) { control_ = std::move(control); }
   /// Null when nothing is controlled.
   ControlLoop* control() { return control_.get(); }
+  const ControlLoop* control() const { return control_.get(); }
   /// Observers are called in the order in which they were added.
   void observe(FrameObserver* observer) { observers_.push_back(observer); }
 

@@ -1,0 +1,152 @@
+#include "murosimf/simulation/percept_overlay.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "murosimf/simulation/canvas.h"
+#include "murosimf/simulation/png_writer.h"
+
+namespace murosimf {
+
+namespace {
+
+using client::Percept;
+
+constexpr Rgb kBallColour{255, 60, 220}, kPostColour{255, 255, 0}, kPoleColour{0, 255, 255};
+constexpr Rgb kLineColour{255, 40, 40}, kRobotColour{255, 160, 255};
+
+Rgb colourOf(Percept::Kind kind) {
+  switch (kind) {
+    case Percept::Kind::kBall:
+      return kBallColour;
+    case Percept::Kind::kPost:
+      return kPostColour;
+    case Percept::Kind::kPole:
+      return kPoleColour;
+    case Percept::Kind::kLinePoint:
+      return kLineColour;
+    case Percept::Kind::kRobot:
+      return kRobotColour;
+  }
+  return Rgb{};
+}
+
+std::string_view nameOf(Percept::Kind kind) {
+  switch (kind) {
+    case Percept::Kind::kBall:
+      return "BALL";
+    case Percept::Kind::kPost:
+      return "POST";
+    case Percept::Kind::kPole:
+      return "POLE";
+    case Percept::Kind::kLinePoint:
+      return "";
+    case Percept::Kind::kRobot:
+      return "ROBOT";
+  }
+  return "";
+}
+
+/// The foot: a bar as wide as the thing, and an upright on it.
+void drawFoot(const Percept& p, Canvas& canvas) {
+  const Rgb colour = colourOf(p.kind);
+  const double half_width = std::max(2.0, p.radius);
+  canvas.line({p.u - half_width, p.v}, {p.u + half_width, p.v}, colour);
+  canvas.line({p.u - half_width, p.v + 1}, {p.u + half_width, p.v + 1}, colour);
+  canvas.line({p.u, p.v}, {p.u, p.v - std::max(12.0, 4 * half_width)}, colour);
+}
+
+void drawMark(const Percept& p, Canvas& canvas) {
+  if (p.kind == Percept::Kind::kLinePoint) {
+    canvas.cross({p.u, p.v}, 2, kLineColour);
+  } else if (p.kind == Percept::Kind::kBall) {
+    canvas.circle({p.u, p.v}, p.radius, kBallColour);
+    canvas.circle({p.u, p.v}, p.radius + 1, kBallColour);
+    canvas.cross({p.u, p.v}, 2, kBallColour);
+  } else {
+    drawFoot(p, canvas);
+  }
+}
+
+void drawLabel(const Percept& p, Canvas& canvas) {
+  if (p.kind == Percept::Kind::kLinePoint) return;
+  const std::string words = fmt::format("{} {:.2f}", nameOf(p.kind), p.distance);
+  const double below = p.kind == Percept::Kind::kBall ? p.radius + 4 : 6;
+  canvas.label({p.u - 0.5 * Canvas::textWidth(words), p.v + below}, words, colourOf(p.kind));
+}
+
+std::vector<std::size_t> cameraCounts(const ControlLoop& control) {
+  std::vector<std::size_t> counts;
+  for (int i = 0; i < control.robotCount(); ++i) counts.push_back(control.robot(i).cameras.size());
+  return counts;
+}
+
+std::string captionOf(const std::string& camera, const KeptPercepts& kept) {
+  return fmt::format("{}  T {:.2f}  {}", camera, kept.time, kept.activity);
+}
+
+}  // namespace
+
+PerceptKeeper::PerceptKeeper(const ControlLoop& control) : PerceptKeeper(cameraCounts(control)) {}
+
+PerceptKeeper::PerceptKeeper(const std::vector<std::size_t>& camera_counts) {
+  for (const std::size_t count : camera_counts) robots_.emplace_back().cameras.resize(count);
+}
+
+void PerceptKeeper::onSensors(int robot, long) {
+  // The robot's last task is over here and the next one has not begun, so its words may be taken over.
+  Robot& r = robots_[static_cast<std::size_t>(robot)];
+  r.shown_activity = r.last_activity;
+}
+
+void PerceptKeeper::onStep(int robot, long, const client::SensorFrame& sensors, const ControlledRobot&,
+                           const client::ControlReport& report) {
+  keep(robot, sensors, report);
+}
+
+void PerceptKeeper::keep(int robot, const client::SensorFrame& sensors, const client::ControlReport& report) {
+  Robot& r = robots_[static_cast<std::size_t>(robot)];
+  r.last_activity = report.activity;
+  for (const client::CameraPicture& picture : sensors.pictures) {
+    KeptPercepts& kept = r.cameras[static_cast<std::size_t>(picture.camera)];
+    kept.time = picture.time;
+    kept.activity = report.activity;
+    kept.percepts.clear();
+    std::copy_if(report.percepts.begin(), report.percepts.end(), std::back_inserter(kept.percepts),
+                 [&](const Percept& p) { return p.camera == picture.camera; });
+  }
+}
+
+const KeptPercepts& PerceptKeeper::of(int robot, std::size_t camera) const {
+  return robots_[static_cast<std::size_t>(robot)].cameras[camera];
+}
+
+void drawPercepts(std::span<const Percept> percepts, Picture& picture) {
+  Canvas canvas(picture);
+  for (const Percept& p : percepts) drawMark(p, canvas);
+  for (const Percept& p : percepts) drawLabel(p, canvas);
+}
+
+std::vector<std::filesystem::path> writeCameraPictures(const std::filesystem::path& directory, Simulation& simulation,
+                                                       const PerceptKeeper& keeper) {
+  std::vector<std::filesystem::path> files;
+  ControlLoop* control = simulation.control();
+  if (control == nullptr) return files;
+  control->finish();
+  for (int i = 0; i < control->robotCount(); ++i) {
+    const auto& cameras = control->robot(i).cameras;
+    for (std::size_t k = 0; k < cameras.size(); ++k) {
+      if (cameras[k] == nullptr || keeper.of(i, k).time < 0) continue;
+      const std::string name = simulation.world().path(cameras[k]->object());
+      Picture picture = cameras[k]->picture();
+      drawPercepts(keeper.of(i, k).percepts, picture);
+      Canvas(picture).caption(captionOf(name, keeper.of(i, k)));
+      files.push_back(directory / (name + ".png"));
+      writePng(files.back(), picture);
+    }
+  }
+  return files;
+}
+
+}  // namespace murosimf
