@@ -21,9 +21,9 @@ const OutsideAccess& RobotPort::robotAccess() {
     d.adds(kJointCommand, subset::kJoints);
     d.reads(kJointPosition, subset::kJoints);
     d.reads(kJointVelocity, subset::kJoints);
-    d.reads(kSoleClearance, subset::kSoles);
-    d.reads(kGyroscope);
-    d.reads(kAccelerometer);
+    d.readsIfAdded(kSoleClearance, subset::kSoles);
+    d.readsIfAdded(kGyroscope);
+    d.readsIfAdded(kAccelerometer);
   });
   return access;
 }
@@ -46,8 +46,8 @@ void RobotPort::readSensors(double t, client::SensorFrame& sensors) {
   }
   sensors.time = t;
   sensors.joints = joints_;
-  sensors.angular_velocity = gyroscope_.get();
-  sensors.specific_force = accelerometer_.get();
+  if (gyroscope_.valid()) sensors.angular_velocity = gyroscope_.get();
+  if (accelerometer_.valid()) sensors.specific_force = accelerometer_.get();
   for (int i = 0; i < 2; ++i) {
     sensors.foot_touches[static_cast<std::size_t>(i)] = clearance_.size() > i && clearance_.get(i) < kTouchHeight;
   }

@@ -16,7 +16,8 @@ namespace murosimf {
 class AlignedDoubles {
  public:
   AlignedDoubles() = default;
-  explicit AlignedDoubles(std::size_t count, double value = 0);
+  /// Numbers that nobody has written yet are not a number.
+  explicit AlignedDoubles(std::size_t count);
   double* data() const { return data_.get(); }
   std::size_t size() const { return size_; }
 
@@ -47,7 +48,8 @@ struct LinkedPass {
   bool scheduled = true;  ///< false: nobody reads what it would compute
 };
 
-/// Robots stepped together. Block b holds members b*width ... ; the lanes behind the last member repeat it.
+/// Robots stepped together. Block b holds members b*width ... The lanes behind the last member carry a robot with its
+/// constants, which nobody commands or places: computed with the others, seen by nobody.
 struct Batch {
   std::vector<ObjectId> members;
   int width = 1;

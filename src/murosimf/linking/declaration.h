@@ -14,11 +14,12 @@ namespace murosimf {
 
 /// How a module touches a property.
 enum class Access {
-  kNeeds,      ///< a constant that must be there
-  kUses,       ///< a constant with a default
-  kReads,      ///< a variable whose writer runs before in the same step
-  kReadsLast,  ///< a variable as it stood before this step: the one way to close a loop, visible here
-  kAdds,       ///< a variable that this module alone writes
+  kNeeds,         ///< a constant that must be there
+  kUses,          ///< a constant with a default
+  kReads,         ///< a variable whose writer runs before in the same step
+  kReadsIfAdded,  ///< the same, but nobody needs to write it: a port for a sensor that a robot may lack
+  kReadsLast,     ///< a variable as it stood before this step: the one way to close a loop, visible here
+  kAdds,          ///< a variable that this module alone writes
 };
 
 /// The part of the frame in which a module's pass runs.
@@ -39,6 +40,15 @@ struct DeclaredProperty {
   /// Constants: the numbers of an object's value; false when it is missing or of another type.
   bool (*numbers)(const World&, ObjectId, std::string_view, std::vector<double>&) = nullptr;
   bool (*equal)(const World&, ObjectId, ObjectId, std::string_view) = nullptr;
+  bool in_step = false;  ///< the reader's period must be the writer's
+  std::any otherwise;    ///< constants with default: the default
+
+  bool isConstant() const { return access == Access::kNeeds || access == Access::kUses; }
+  bool isRead() const {
+    return access == Access::kReads || access == Access::kReadsIfAdded || access == Access::kReadsLast;
+  }
+  /// Whether both lines speak of the same column of an assembly.
+  bool sameColumn(const DeclaredProperty& other) const { return name == other.name && subset == other.subset; }
 };
 
 /// Filled by Module::declare(). Pure data: the same words give the table of modules, the schedule and link errors.
@@ -54,10 +64,20 @@ class Declaration {
   void uses(const Constant<T>& property, const T& initial, std::string_view of = subset::kSelf) {
     DeclaredProperty& line = add(property, Access::kUses, of);
     if constexpr (kIsNumeric<T>) line.initial = numbersOf(initial);
+    line.otherwise = initial;
   }
   template <class T>
   void reads(const Variable<T>& property, std::string_view of = subset::kSelf) {
     add(property, Access::kReads, of);
+  }
+  /// Reads, and must have the writer's period, as whoever looks at how much a value changed over a step.
+  template <class T>
+  void readsInStep(const Variable<T>& property, std::string_view of = subset::kSelf) {
+    add(property, Access::kReads, of).in_step = true;
+  }
+  template <class T>
+  void readsIfAdded(const Variable<T>& property, std::string_view of = subset::kSelf) {
+    add(property, Access::kReadsIfAdded, of);
   }
   template <class T>
   void readsLast(const Variable<T>& property, std::string_view of = subset::kSelf) {
@@ -92,25 +112,28 @@ class Declaration {
     const Constant<T> key{name, {}, {}};
     return world.find(a, key) == world.find(b, key);
   }
+  template <class Property>
+  DeclaredProperty& add(const Property& p, Access access, std::string_view of, int components) {
+    DeclaredProperty& line = properties_.emplace_back();
+    line.access = access;
+    line.name = p.name, line.unit = p.unit, line.meaning = p.meaning, line.subset = of;
+    line.components = components;
+    return line;
+  }
   template <class T>
   DeclaredProperty& add(const Constant<T>& p, Access access, std::string_view of) {
-    constexpr int kComponents = kIsNumeric<T> ? static_cast<int>(sizeof(T) / sizeof(double)) : 0;
-    return properties_.emplace_back(DeclaredProperty{access,
-                                                     p.name,
-                                                     p.unit,
-                                                     p.meaning,
-                                                     of,
-                                                     kComponents,
-                                                     Storage::kState,
-                                                     !kIsNumeric<T>,
-                                                     {},
-                                                     &readNumbers<T>,
-                                                     &areEqual<T>});
+    DeclaredProperty& line = add(p, access, of, kIsNumeric<T> ? static_cast<int>(sizeof(T) / sizeof(double)) : 0);
+    line.structural = !kIsNumeric<T>;
+    line.numbers = &readNumbers<T>;
+    line.equal = &areEqual<T>;
+    return line;
   }
   template <class T>
   DeclaredProperty& add(const Variable<T>& p, Access access, std::string_view of) {
-    return properties_.emplace_back(DeclaredProperty{access, p.name, p.unit, p.meaning, of, Variable<T>::kComponents,
-                                                     p.storage, false, numbersOf(T{}), nullptr, nullptr});
+    DeclaredProperty& line = add(p, access, of, Variable<T>::kComponents);
+    line.storage = p.storage;
+    line.initial = numbersOf(T{});
+    return line;
   }
 
   std::vector<DeclaredProperty> properties_;

@@ -1,6 +1,10 @@
 #include "murosimf/linking/linked_world.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <limits>
+#include <stdexcept>
 
 namespace murosimf {
 
@@ -20,6 +24,10 @@ bool isDue(const LinkedPass& pass, long frame) {
 }  // namespace
 
 void LinkedWorld::runBlock(Phase phase, const Batch& batch, int block, long frame, double* step_memory) const {
+#ifdef MUROSIMF_DEBUG
+  std::fill_n(step_memory, batch.step_size * static_cast<std::size_t>(batch.width),
+              std::numeric_limits<double>::quiet_NaN());
+#endif
   const BlockMemory memory = batch.block(block, step_memory);
   for (const LinkedPass& pass : batch.passes) {
     if (pass.phase != phase || !isDue(pass, frame)) continue;
@@ -31,6 +39,11 @@ void LinkedWorld::run(Phase phase, long frame, double* step_memory) const {
   for (const Batch& batch : batches_) {
     for (int b = 0; b < batch.blockCount(); ++b) runBlock(phase, batch, b, frame, step_memory);
   }
+}
+
+void LinkedWorld::runFrame(long frame) {
+  if (step_memory_.size() < stepMemorySize()) step_memory_ = AlignedDoubles(stepMemorySize());
+  for (const Phase phase : {Phase::kPrescribe, Phase::kAdvance, Phase::kSense}) run(phase, frame, step_memory_.data());
 }
 
 int LinkedWorld::periodOf(ObjectId assembly, std::string_view property) const {
@@ -53,13 +66,17 @@ double* LinkedWorld::element(const Place& place, const ColumnLayout& layout) con
   return state.data() + layout.ref.offset * batch.width + place.lane;
 }
 
-double* LinkedWorld::locate(ObjectId assembly, std::string_view property, std::string_view of, int& stride,
-                            int& objects) {
+double* LinkedWorld::locate(ObjectId assembly, std::string_view property, std::string_view of, int components,
+                            int& stride, int& objects) {
   for (const Place& place : places_) {
     if (place.assembly != assembly) continue;
     const Batch& batch = batches_[static_cast<std::size_t>(place.batch)];
     const ColumnLayout* layout = batch.column(property, of);
     if (layout == nullptr || layout->ref.memory != MemoryKind::kState) return nullptr;
+    if (layout->components != components) {
+      throw std::logic_error(fmt::format("a handle for {} numbers asks for variable {}, which has {}", components,
+                                         property, layout->components));
+    }
     stride = batch.width;
     objects = layout->objects;
     return element(place, *layout);

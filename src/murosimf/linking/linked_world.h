@@ -7,40 +7,9 @@
 #include <vector>
 
 #include "murosimf/linking/batch.h"
+#include "murosimf/linking/handle.h"
 
 namespace murosimf {
-
-/// One robot's values of one column, found without names. Valid as long as the linked world.
-template <class T>
-class Handle {
- public:
-  Handle() = default;
-  Handle(double* first, int stride, int objects) : first_(first), stride_(stride), objects_(objects) {}
-
-  bool valid() const { return first_ != nullptr; }
-  int size() const { return objects_; }
-  /// Value of the subset's object number `object`.
-  T get(int object = 0) const {
-    double numbers[sizeof(T) / sizeof(double)];
-    const double* source = first_ + object * kNumbers * stride_;
-    for (int i = 0; i < kNumbers; ++i) numbers[i] = source[i * stride_];
-    T value;
-    __builtin_memcpy(&value, numbers, sizeof(T));
-    return value;
-  }
-  void set(const T& value, int object = 0) {
-    double numbers[sizeof(T) / sizeof(double)];
-    __builtin_memcpy(numbers, &value, sizeof(T));
-    double* target = first_ + object * kNumbers * stride_;
-    for (int i = 0; i < kNumbers; ++i) target[i * stride_] = numbers[i];
-  }
-
- private:
-  static constexpr int kNumbers = static_cast<int>(sizeof(T) / sizeof(double));
-  double* first_ = nullptr;
-  int stride_ = 1;
-  int objects_ = 0;
-};
 
 /// One line of the schedule, for people.
 struct PassReport {
@@ -69,18 +38,22 @@ class LinkedWorld {
   std::size_t stepMemorySize() const;
 
   /// An assembly's column; an invalid handle when linking did not create it.
+  /// @throws std::logic_error when it holds values of another type.
   template <class T>
   Handle<T> handle(ObjectId assembly, const Variable<T>& property, std::string_view of = subset::kSelf) {
     int stride = 1, objects = 0;
-    double* first = locate(assembly, property.name, of, stride, objects);
+    double* first = locate(assembly, property.name, of, Variable<T>::kComponents, stride, objects);
     return {first, stride, objects};
   }
   /// Frames between two updates of a variable of an assembly; 1 when no module writes it.
   int periodOf(ObjectId assembly, std::string_view property) const;
-  /// Runs the passes of one phase that are due in this frame, on one block.
+  /// Runs the passes of one phase that are due in this frame, on one block. Step memory lasts until the next call;
+  /// debug builds fill it with NaN first.
   void runBlock(Phase phase, const Batch& batch, int block, long frame, double* step_memory) const;
   /// Same on all blocks, one after the other.
   void run(Phase phase, long frame, double* step_memory) const;
+  /// All three phases on all blocks, on this thread: a whole frame where nothing but modules moves anything.
+  void runFrame(long frame);
 
   /// Calls visit(layout, object number, component, value) for every number of an assembly's state, in a fixed order: by
   /// property, then subset.
@@ -112,12 +85,14 @@ class LinkedWorld {
     }
   }
   double* element(const Place& place, const ColumnLayout& layout) const;
-  double* locate(ObjectId assembly, std::string_view property, std::string_view of, int& stride, int& objects);
+  double* locate(ObjectId assembly, std::string_view property, std::string_view of, int components, int& stride,
+                 int& objects);
 
   double frame_length_;
   std::deque<Batch> batches_;
   std::vector<Place> places_;
   std::vector<PassReport> reports_;
+  AlignedDoubles step_memory_;  // of runFrame()
 };
 
 }  // namespace murosimf

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <tuple>
 
 #include "murosimf/linking/linker_plan.h"
@@ -12,23 +13,32 @@
 namespace murosimf {
 
 Linker::Linker(const World& world, const ModuleRegistry& registry, LinkOptions options)
-    : world_(world), registry_(registry), options_(options) {}
+    : world_(world), registry_(registry), options_(options) {
+  if (!(options.frame_length > 0)) {
+    throw std::invalid_argument(fmt::format("frame length {} s; expected a positive number", options.frame_length));
+  }
+  if (options.lanes != 0 && options.lanes != 1 && options.lanes != 4 && options.lanes != 8) {
+    throw std::invalid_argument(fmt::format("{} lanes; expected 1, 4, 8, or 0 for a choice", options.lanes));
+  }
+}
 
 namespace {
 
 /// Puts the modules of one assembly into running order and marks those that nobody reads.
-template <class Planned>
-void schedule(std::vector<Planned>& planned, const std::string& whose, Diagnostics& diagnostics) {
+template <class Assembly>
+void schedule(Assembly& assembly, const std::string& whose, Diagnostics& diagnostics) {
   std::vector<ScheduledModule> modules;
-  for (const Planned& p : planned) modules.push_back({p.name, &p.declaration, p.outside(), true});
+  for (const auto& p : assembly.modules) {
+    modules.push_back({p.name, &p.declaration, p.outside(), assembly.whereOf(p), true});
+  }
   dropUnread(modules);
   const std::vector<std::size_t> order = orderModules(modules, whose, diagnostics);
-  std::vector<Planned> sorted;
+  decltype(assembly.modules) sorted;
   for (const std::size_t i : order) {
-    planned[i].scheduled = modules[i].wanted;
-    sorted.push_back(std::move(planned[i]));
+    assembly.modules[i].scheduled = modules[i].wanted;
+    sorted.push_back(std::move(assembly.modules[i]));
   }
-  planned = std::move(sorted);
+  assembly.modules = std::move(sorted);
 }
 
 std::string addedNames(const Declaration& declaration) {
@@ -47,7 +57,7 @@ std::unique_ptr<LinkedWorld> Linker::link(Diagnostics& diagnostics) {
   checkWrittenProperties(diagnostics);
   for (Assembly& assembly : assemblies) {
     checkAssembly(assembly, diagnostics);
-    schedule(assembly.modules, world_.path(assembly.id), diagnostics);
+    schedule(assembly, world_.path(assembly.id), diagnostics);
   }
   if (diagnostics.errorCount() > before) return nullptr;
 
@@ -61,10 +71,13 @@ std::unique_ptr<LinkedWorld> Linker::link(Diagnostics& diagnostics) {
       placed[k] = true;
       members.push_back(&assemblies[k]);
     }
-    makeBatch(members, *linked);
+    makeBatch(members, *linked, diagnostics);
   }
   std::sort(linked->places_.begin(), linked->places_.end(),
             [&](const Place& a, const Place& b) { return world_.path(a.assembly) < world_.path(b.assembly); });
+  std::stable_sort(linked->reports_.begin(), linked->reports_.end(),
+                   [](const PassReport& a, const PassReport& b) { return a.assembly < b.assembly; });
+  if (diagnostics.errorCount() > before) return nullptr;
   return linked;
 }
 
@@ -76,7 +89,7 @@ int Linker::chooseWidth(std::size_t robots) const {
   return robots <= 4 || !wide ? 4 : 8;
 }
 
-void Linker::makeBatch(const std::vector<Assembly*>& members, LinkedWorld& linked) const {
+void Linker::makeBatch(const std::vector<Assembly*>& members, LinkedWorld& linked, Diagnostics& diagnostics) const {
   Batch& batch = linked.batches_.emplace_back();
   batch.width = chooseWidth(members.size());
   const int number = static_cast<int>(linked.batches_.size()) - 1;
@@ -92,7 +105,7 @@ void Linker::makeBatch(const std::vector<Assembly*>& members, LinkedWorld& linke
     }
   }
   layOut(members, batch);
-  linkPasses(*members.front(), batch);
+  linkPasses(*members.front(), batch, diagnostics);
 }
 
 namespace {
@@ -130,8 +143,7 @@ void Linker::layOut(const std::vector<Assembly*>& members, Batch& batch) const {
   for (const Planned& module : one.modules) {
     if (!module.scheduled) continue;
     for (const DeclaredProperty& p : module.declaration.properties()) {
-      const bool constant = p.access == Access::kNeeds || p.access == Access::kUses;
-      if (constant && p.components > 0 && !module.outside()) constants.push_back(&p);
+      if (p.isConstant() && p.components > 0 && !module.outside()) constants.push_back(&p);
       if (p.access == Access::kAdds) variables.push_back(&p);
     }
   }
@@ -189,11 +201,17 @@ void Linker::fillConstants(Batch& batch, const std::vector<const DeclaredPropert
   }
 }
 
-void Linker::linkPasses(Assembly& representative, Batch& batch) const {
+void Linker::linkPasses(Assembly& representative, Batch& batch, Diagnostics& diagnostics) const {
   for (Planned& planned : representative.modules) {
     if (planned.outside() || !planned.scheduled) continue;
-    Links links(world_, batch, planned.parameters);
-    planned.module->link(links);
+    Links links(world_, batch, planned.declaration, planned.parameters);
+    try {
+      planned.module->link(links);
+    } catch (const std::invalid_argument& problem) {
+      diagnostics.error(planned.where,
+                        fmt::format("{}: module {}: {}", world_.path(representative.id), planned.name, problem.what()));
+      continue;
+    }
     for (int b = 0; b < batch.blockCount(); ++b) planned.module->initialise(batch.block(b, nullptr));
     batch.passes.push_back({std::move(planned.module), planned.name, planned.declaration.phase(), planned.period,
                             planned.period * options_.frame_length, true});

@@ -7,6 +7,7 @@
 /// results nobody reads; groups robots of equal structure into batches; lays out their columns.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,9 +37,11 @@ struct Attachment {
 
 class Linker {
  public:
+  /// @throws std::invalid_argument for a frame length that is not positive or lanes other than 0, 1, 4, 8.
   Linker(const World& world, const ModuleRegistry& registry, LinkOptions options);
 
   void assign(Assignment assignment) { assignments_.push_back(std::move(assignment)); }
+  /// Attaching the same module to an assembly twice counts once.
   void attach(Attachment attachment) { attachments_.push_back(std::move(attachment)); }
   /// Constants that may be set on objects although no module declares them (used by readers and builders).
   void alsoKnows(std::vector<std::string> constants) { known_constants_ = std::move(constants); }
@@ -51,15 +54,23 @@ class Linker {
   struct Assembly;  // an assembly with its planned modules in order
 
   std::vector<Assembly> plan(Diagnostics& diagnostics) const;
+  std::optional<Planned> planModule(const Assignment& assignment, Diagnostics& diagnostics) const;
   void checkAssembly(const Assembly& assembly, Diagnostics& diagnostics) const;
   void checkConstant(const Assembly& assembly, const Planned& module, const DeclaredProperty& property,
                      Diagnostics& diagnostics) const;
+  void checkWriter(const Assembly& assembly, const Planned& module, const DeclaredProperty& property,
+                   Diagnostics& diagnostics) const;
+  void checkReader(const Assembly& assembly, const Planned& module, const DeclaredProperty& property,
+                   Diagnostics& diagnostics) const;
+  void checkMeaning(const Assembly& assembly, const Planned& module, const DeclaredProperty& property,
+                    Diagnostics& diagnostics) const;
   void checkWrittenProperties(Diagnostics& diagnostics) const;
+  std::string modulesThatAdd(const DeclaredProperty& property) const;
   bool sameStructure(const Assembly& a, const Assembly& b) const;
-  void makeBatch(const std::vector<Assembly*>& members, LinkedWorld& linked) const;
+  void makeBatch(const std::vector<Assembly*>& members, LinkedWorld& linked, Diagnostics& diagnostics) const;
   void layOut(const std::vector<Assembly*>& members, Batch& batch) const;
   void fillConstants(Batch& batch, const std::vector<const DeclaredProperty*>& constants) const;
-  void linkPasses(Assembly& representative, Batch& batch) const;
+  void linkPasses(Assembly& representative, Batch& batch, Diagnostics& diagnostics) const;
   int chooseWidth(std::size_t robots) const;
 
   const World& world_;

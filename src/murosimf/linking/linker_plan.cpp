@@ -4,16 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "murosimf/linking/schedule.h"
+#include <stdexcept>
 
 namespace murosimf {
 
-bool Linker::Planned::adds(const DeclaredProperty& property) const {
-  const auto& own = declaration.properties();
-  return std::any_of(own.begin(), own.end(), [&](const DeclaredProperty& p) {
-    return p.access == Access::kAdds && p.name == property.name && p.subset == property.subset;
-  });
+const DeclaredProperty* Linker::Planned::added(const DeclaredProperty& property) const {
+  for (const DeclaredProperty& p : declaration.properties()) {
+    if (p.access == Access::kAdds && p.sameColumn(property)) return &p;
+  }
+  return nullptr;
+}
+
+const SourceLocation& Linker::Assembly::whereOf(const Planned& module) const {
+  return module.outside() ? modules.front().where : module.where;
 }
 
 namespace {
@@ -35,6 +38,30 @@ int periodInFrames(const Assignment& assignment, const ParameterValues& values, 
 
 }  // namespace
 
+std::optional<Linker::Planned> Linker::planModule(const Assignment& assignment, Diagnostics& diagnostics) const {
+  const std::string& whose = world_.path(assignment.assembly);
+  const ModuleEntry* entry = registry_.find(assignment.module);
+  if (entry == nullptr) {
+    diagnostics.error(assignment.where, fmt::format("{}: unknown module \"{}\"; expected one of {}{}", whose,
+                                                    assignment.module, fmt::join(registry_.names(), ", "),
+                                                    didYouMean(assignment.module, registry_.names())));
+    return std::nullopt;
+  }
+  Planned planned;
+  planned.name = assignment.module;
+  planned.where = assignment.where;
+  planned.parameters = resolveParameters(entry->name, entry->parameters, assignment.parameters, diagnostics);
+  planned.period = periodInFrames(assignment, planned.parameters, options_.frame_length, diagnostics);
+  try {
+    planned.module = entry->create(planned.parameters);
+  } catch (const std::invalid_argument& problem) {
+    diagnostics.error(assignment.where, fmt::format("{}: module {}: {}", whose, planned.name, problem.what()));
+    return std::nullopt;
+  }
+  planned.module->declare(planned.declaration);
+  return planned;
+}
+
 std::vector<Linker::Assembly> Linker::plan(Diagnostics& diagnostics) const {
   std::vector<Assembly> assemblies;
   const auto assemblyOf = [&](ObjectId id) -> Assembly& {
@@ -45,29 +72,19 @@ std::vector<Linker::Assembly> Linker::plan(Diagnostics& diagnostics) const {
     return assemblies.back();
   };
   for (const Assignment& assignment : assignments_) {
-    const ModuleEntry* entry = registry_.find(assignment.module);
-    if (entry == nullptr) {
-      diagnostics.error(assignment.where,
-                        fmt::format("{}: unknown module \"{}\"; expected one of {}{}", world_.path(assignment.assembly),
-                                    assignment.module, fmt::join(registry_.names(), ", "),
-                                    didYouMean(assignment.module, registry_.names())));
-      continue;
-    }
-    Planned planned;
-    planned.name = assignment.module;
-    planned.parameters = resolveParameters(entry->name, entry->parameters, assignment.parameters, diagnostics);
-    planned.module = entry->create(planned.parameters);
-    planned.module->declare(planned.declaration);
-    planned.where = assignment.where;
-    planned.period = periodInFrames(assignment, planned.parameters, options_.frame_length, diagnostics);
-    assemblyOf(assignment.assembly).modules.push_back(std::move(planned));
+    std::optional<Planned> planned = planModule(assignment, diagnostics);
+    if (planned) assemblyOf(assignment.assembly).modules.push_back(std::move(*planned));
   }
   for (const Attachment& attachment : attachments_) {
     for (const ObjectId id : attachment.assemblies) {
-      Planned planned;
+      std::vector<Planned>& modules = assemblyOf(id).modules;
+      const bool known = std::any_of(modules.begin(), modules.end(),
+                                     [&](const Planned& p) { return p.attached == attachment.module; });
+      if (known) continue;
+      Planned& planned = modules.emplace_back();
       planned.name = attachment.name;
+      planned.attached = attachment.module;
       attachment.module->declare(planned.declaration);
-      assemblyOf(id).modules.push_back(std::move(planned));
     }
   }
   std::sort(assemblies.begin(), assemblies.end(),
@@ -75,74 +92,11 @@ std::vector<Linker::Assembly> Linker::plan(Diagnostics& diagnostics) const {
   return assemblies;
 }
 
-void Linker::checkConstant(const Assembly& assembly, const Planned& module, const DeclaredProperty& property,
-                           Diagnostics& diagnostics) const {
-  for (const ObjectId object : world_.members(assembly.id, property.subset)) {
-    std::vector<double> numbers;
-    if (property.numbers(world_, object, property.name, numbers)) continue;
-    const ConstantEntry* entry = world_.findEntry(object, property.name);
-    if (entry != nullptr) {
-      diagnostics.error(entry->where,
-                        fmt::format("property {} of {} has another type than module {} expects: {} number{} in {}",
-                                    property.name, world_.path(object), module.name, property.components,
-                                    property.components == 1 ? "" : "s", property.unit));
-    } else if (property.access == Access::kNeeds) {
-      diagnostics.error(module.where, fmt::format("{}: module {} needs property {} [{}] ({}) of {}, which has none",
-                                                  world_.path(assembly.id), module.name, property.name, property.unit,
-                                                  property.meaning, world_.path(object)));
-    }
-  }
-}
-
-void Linker::checkAssembly(const Assembly& assembly, Diagnostics& diagnostics) const {
-  for (const Planned& module : assembly.modules) {
-    for (const DeclaredProperty& property : module.declaration.properties()) {
-      if (property.access == Access::kNeeds || property.access == Access::kUses) {
-        checkConstant(assembly, module, property, diagnostics);
-        continue;
-      }
-      std::vector<std::string> writers;
-      for (const Planned& other : assembly.modules) {
-        if (other.adds(property)) writers.push_back(other.name);
-      }
-      const std::string what = fmt::format("variable {} [{}] of {}'s {}", property.name, property.unit,
-                                           world_.path(assembly.id), property.subset);
-      if (writers.empty()) {
-        diagnostics.error(module.where, fmt::format("module {} reads {}, which no module writes", module.name, what));
-      } else if (writers.size() > 1 && property.access == Access::kAdds && writers.front() == module.name) {
-        diagnostics.error(module.where, fmt::format("{} is written by {} modules: {}; expected one", what,
-                                                    writers.size(), fmt::join(writers, ", ")));
-      }
-    }
-  }
-}
-
-void Linker::checkWrittenProperties(Diagnostics& diagnostics) const {
-  std::vector<std::string> known = known_constants_;
-  const auto learn = [&](const Module& module) {
-    Declaration declaration;
-    module.declare(declaration);
-    for (const DeclaredProperty& p : declaration.properties()) {
-      if (p.access == Access::kNeeds || p.access == Access::kUses) known.emplace_back(p.name);
-    }
-  };
-  for (const ModuleEntry& entry : registry_.entries()) learn(*makeDefault(entry));
-  for (const Attachment& attachment : attachments_) learn(*attachment.module);
-  for (int i = 0; i < world_.objectCount(); ++i) {
-    for (const auto& [name, entry] : world_.constants({i})) {
-      if (std::any_cast<WrittenValue>(&entry.value) == nullptr) continue;
-      if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-      diagnostics.error(entry.where, fmt::format("unknown property \"{}\" of {}: no module declares it{}", name,
-                                                 world_.path({i}), didYouMean(name, known)));
-    }
-  }
-}
-
 bool Linker::sameStructure(const Assembly& a, const Assembly& b) const {
   if (a.modules.size() != b.modules.size()) return false;
   for (std::size_t i = 0; i < a.modules.size(); ++i) {
     const Planned &x = a.modules[i], &y = b.modules[i];
-    if (x.name != y.name || x.outside() != y.outside() || x.parameters != y.parameters || x.period != y.period) {
+    if (x.name != y.name || x.attached != y.attached || x.parameters != y.parameters || x.period != y.period) {
       return false;
     }
     for (const DeclaredProperty& p : x.declaration.properties()) {

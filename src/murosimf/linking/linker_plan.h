@@ -10,6 +10,7 @@ namespace murosimf {
 struct Linker::Planned {
   std::string name;
   std::unique_ptr<BlockModule> module;  ///< null for attachments
+  const Module* attached = nullptr;     ///< of attachments
   Declaration declaration;
   ParameterValues parameters;
   SourceLocation where;
@@ -17,12 +18,16 @@ struct Linker::Planned {
   bool scheduled = true;
 
   bool outside() const { return module == nullptr; }
-  bool adds(const DeclaredProperty& property) const;
+  /// The line with which it adds the column of `property`; null when it does not.
+  const DeclaredProperty* added(const DeclaredProperty& property) const;
 };
 
 struct Linker::Assembly {
   ObjectId id;
   std::vector<Planned> modules;
+
+  /// Where to point at for a fault of a module: its assignment, or for attachments the assembly's first one.
+  const SourceLocation& whereOf(const Planned& module) const;
 };
 
 }  // namespace murosimf

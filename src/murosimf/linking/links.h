@@ -2,17 +2,17 @@
 
 /// @file What a module sees while it is being linked to a batch.
 
-#include <span>
-
 #include "murosimf/linking/batch.h"
+#include "murosimf/linking/robot_lane.h"
 
 namespace murosimf {
 
-/// Resolves properties to columns and constants. Lives only while BlockModule::link() runs.
+/// Resolves properties to columns and constants. Lives only while BlockModule::link() runs. All its functions throw
+/// std::logic_error for a property that the module has not declared: a fault of the module.
 class Links {
  public:
-  Links(const World& world, const Batch& batch, const ParameterValues& parameters)
-      : world_(world), batch_(batch), parameters_(parameters) {}
+  Links(const World& world, const Batch& batch, const Declaration& declaration, const ParameterValues& parameters)
+      : world_(world), batch_(batch), declaration_(declaration), parameters_(parameters) {}
 
   /// Robots per block: 1, 4 or 8.
   int width() const { return batch_.width; }
@@ -22,28 +22,44 @@ class Links {
   }
   double parameter(std::string_view name) const { return parameters_[name]; }
 
-  /// The column of a declared variable.
+  /// The column of a declared variable, for kernels.
   template <class T>
   ColumnRef column(const Variable<T>& property, std::string_view of = subset::kSelf) const {
-    return find(property.name, of);
+    return find(property.name, of).ref;
   }
   /// The column of a declared numeric constant: one value per lane, for kernels.
   template <class T>
   ColumnRef column(const Constant<T>& property, std::string_view of = subset::kSelf) const {
-    return find(property.name, of);
+    return find(property.name, of).ref;
   }
-  /// The value that all robots of the batch share: a tree, a shape list.
+  /// The same for modules that step one robot at a time (linking/robot_module.h).
   template <class T>
-  const T& shared(const Constant<T>& property) const {
-    return *world_.findShared(batch_.members.front(), property);
+  RobotValues<T> values(const Variable<T>& property, std::string_view of = subset::kSelf) const {
+    const ColumnLayout& layout = find(property.name, of);
+    return {layout.ref, layout.objects};
+  }
+  template <class T>
+  RobotValues<const T> values(const Constant<T>& property, std::string_view of = subset::kSelf) const {
+    const ColumnLayout& layout = find(property.name, of);
+    return {layout.ref, layout.objects};
+  }
+  /// The value that all robots of the batch share: a tree, a shape list, a text. Of a subset: its object `number`.
+  template <class T>
+  T shared(const Constant<T>& property, std::string_view of = subset::kSelf, int number = 0) const {
+    static_assert(!kIsNumeric<T>, "robots of a batch may differ in numbers: ask for their column");
+    const DeclaredProperty& line = declared(property.name, of);
+    const std::optional<T> value = world_.find(object(of, number), property);
+    return value ? *value : std::any_cast<T>(line.otherwise);
   }
 
  private:
-  /// @throws std::logic_error when the module did not declare the property: a fault of the module.
-  ColumnRef find(std::string_view property, std::string_view of) const;
+  const DeclaredProperty& declared(std::string_view property, std::string_view of) const;
+  const ColumnLayout& find(std::string_view property, std::string_view of) const;
+  ObjectId object(std::string_view of, int number) const;
 
   const World& world_;
   const Batch& batch_;
+  const Declaration& declaration_;
   const ParameterValues& parameters_;
 };
 

@@ -5,6 +5,8 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "murosimf/linking/block_memory.h"
@@ -43,7 +45,7 @@ struct ModuleEntry {
   std::string_view name;                  ///< "kinematic_walking"
   std::string_view concern;               ///< what it is an exchangeable part of: "motion", "actuation", "sensing", ...
   std::string_view summary;               ///< one line for people
-  std::vector<ParameterInfo> parameters;  ///< besides `period`
+  std::vector<ParameterInfo> parameters;  ///< of the method; the registry puts `period` before them
   std::unique_ptr<BlockModule> (*create)(const ParameterValues&) = nullptr;
 };
 
@@ -52,11 +54,25 @@ class ModuleRegistry {
  public:
   /// @throws std::invalid_argument when the name is taken.
   void add(ModuleEntry entry);
+  /// Adds the module class M, made from its parameters where it has a constructor that takes them.
+  template <class M>
+  void add(std::string_view name, std::string_view concern, std::string_view summary,
+           std::vector<ParameterInfo> parameters = {}) {
+    add(ModuleEntry{name, concern, summary, std::move(parameters), &create<M>});
+  }
   const ModuleEntry* find(std::string_view name) const;
   const std::vector<ModuleEntry>& entries() const { return entries_; }
   std::vector<std::string> names() const;
 
  private:
+  template <class M>
+  static std::unique_ptr<BlockModule> create(const ParameterValues& values) {
+    if constexpr (std::is_constructible_v<M, const ParameterValues&>) {
+      return std::make_unique<M>(values);
+    } else {
+      return std::make_unique<M>();
+    }
+  }
   std::vector<ModuleEntry> entries_;
 };
 

@@ -8,16 +8,16 @@ namespace murosimf {
 
 namespace {
 
-bool touches(const Declaration& d, Access access, const DeclaredProperty& p) {
-  return std::any_of(d.properties().begin(), d.properties().end(), [&](const DeclaredProperty& q) {
-    return q.access == access && q.name == p.name && q.subset == p.subset;
-  });
+bool adds(const Declaration& d, const DeclaredProperty& p) {
+  return std::any_of(d.properties().begin(), d.properties().end(),
+                     [&](const DeclaredProperty& q) { return q.access == Access::kAdds && q.sameColumn(p); });
 }
 
 /// The first variable that `reader` reads and `writer` adds; null when there is none.
 const DeclaredProperty* link(const ScheduledModule& writer, const ScheduledModule& reader) {
   for (const DeclaredProperty& p : reader.declaration->properties()) {
-    if (p.access == Access::kReads && touches(*writer.declaration, Access::kAdds, p)) return &p;
+    const bool now = p.access == Access::kReads || p.access == Access::kReadsIfAdded;
+    if (now && adds(*writer.declaration, p)) return &p;
   }
   return nullptr;
 }
@@ -39,9 +39,9 @@ struct Search {
       const DeclaredProperty* p = w == i || modules[w].outside ? nullptr : link(modules[w], modules[i]);
       if (p == nullptr || modules[i].outside) continue;
       if (modules[w].declaration->phase() > modules[i].declaration->phase()) {
-        diagnostics.error(
-            {}, fmt::format("{}: module {} reads {}, which {} writes later in the frame; expected readsLast", whose,
-                            modules[i].name, p->name, modules[w].name));
+        diagnostics.error(modules[i].where,
+                          fmt::format("{}: module {} reads {}, which {} writes later in the frame; expected readsLast",
+                                      whose, modules[i].name, p->name, modules[w].name));
         continue;
       }
       visit(w);
@@ -53,8 +53,8 @@ struct Search {
   void reportCycle(std::size_t i) {
     std::string names;
     for (auto it = std::find(path.begin(), path.end(), i); it != path.end(); ++it) names += modules[*it].name + " -> ";
-    diagnostics.error({}, fmt::format("{}: modules wait for each other: {}{}; one must use readsLast", whose, names,
-                                      modules[i].name));
+    diagnostics.error(modules[i].where, fmt::format("{}: modules wait for each other: {}{}; one must use readsLast",
+                                                    whose, names, modules[i].name));
   }
 };
 
@@ -85,10 +85,7 @@ void dropUnread(std::vector<ScheduledModule>& modules) {
       m.wanted = std::any_of(modules.begin(), modules.end(), [&](const ScheduledModule& reader) {
         if (!reader.wanted || &reader == &m) return false;
         return std::any_of(reader.declaration->properties().begin(), reader.declaration->properties().end(),
-                           [&](const DeclaredProperty& p) {
-                             return (p.access == Access::kReads || p.access == Access::kReadsLast) &&
-                                    touches(*m.declaration, Access::kAdds, p);
-                           });
+                           [&](const DeclaredProperty& p) { return p.isRead() && adds(*m.declaration, p); });
       });
       changed = changed || m.wanted;
     }
@@ -110,6 +107,8 @@ std::string_view wordFor(Access access) {
       return "uses";
     case Access::kReads:
       return "reads";
+    case Access::kReadsIfAdded:
+      return "may read";
     case Access::kReadsLast:
       return "reads last";
     case Access::kAdds:

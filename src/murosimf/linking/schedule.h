@@ -14,6 +14,7 @@ struct ScheduledModule {
   std::string name;
   const Declaration* declaration = nullptr;
   bool outside = false;  ///< a port or camera: always runs, in its own place of the frame
+  SourceLocation where;  ///< for errors
   bool wanted = true;    ///< result: somebody reads what it computes
 };
 

@@ -13,8 +13,8 @@ void BodyPoses::declare(Declaration& d) const {
   d.runsIn(Phase::kPrescribe);
   d.needs(kTree);
   d.reads(kJointPosition, subset::kJoints);
-  d.reads(kBasePose);
-  d.reads(kBasePoseLast);
+  d.readsInStep(kBasePose);
+  d.readsInStep(kBasePoseLast);
   d.adds(kBodyPose, subset::kBodies);
   d.adds(kBodyPoseLast, subset::kBodies);
   d.adds(kPosesComputed);

@@ -18,6 +18,13 @@ void addWideKernels(KernelSet<BodyPosesArguments>& kernels);
 inline namespace MUROSIMF_ISA {
 
 template <class S>
+inline auto differ(const Transform<S>& a, const Transform<S>& b) {
+  const Vec3<S> moved = a.translation - b.translation;
+  const Vec3<S> x = a.rotation.x - b.rotation.x, y = a.rotation.y - b.rotation.y;
+  return squaredNorm(moved) + squaredNorm(x) + squaredNorm(y) > S(0);
+}
+
+template <class S>
 void bodyPoses(const BodyPosesArguments& a, const BlockMemory& block, const StepTime&) {
   const S* q = columnAt<S, S>(block, a.q);
   const auto* X_WB = columnAt<Transform<S>, S>(block, a.base_pose);
@@ -29,8 +36,7 @@ void bodyPoses(const BodyPosesArguments& a, const BlockMemory& block, const Step
   for (int i = 1; i < a.bodies; ++i) pose[i] = childPose(pose[a.rows[i].parent], a.rows[i], q[i - 1]);
   // A robot that was just put somewhere has no path that leads there.
   const auto* X_WB_last = columnAt<Transform<S>, S>(block, a.base_pose_last);
-  const Vec3<S> moved = last[0].translation - X_WB_last->translation;
-  const auto jumped = (squaredNorm(moved) > S(0)) | (*computed_before == S(0));
+  const auto jumped = differ(last[0], *X_WB_last) | (*computed_before == S(0));
   for (int i = 0; i < a.bodies; ++i) last[i] = select(jumped, pose[i], last[i]);
   *computed_before = S(1);
 }

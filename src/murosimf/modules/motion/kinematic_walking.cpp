@@ -21,8 +21,7 @@ SoleChain chainTo(const SolePlace& sole, const TreeTable& tree) {
   SoleChain chain;
   for (int row = sole.mount.row; row > 0; row = tree.rows[static_cast<std::size_t>(row)].parent) {
     if (chain.length == SoleChain::kLongest) {
-      throw std::invalid_argument(
-          fmt::format("kinematic_walking: more than {} joints between the base and a sole", SoleChain::kLongest));
+      throw std::invalid_argument(fmt::format("more than {} joints between the base and a sole", SoleChain::kLongest));
     }
     chain.rows[chain.length++] = row;
   }
@@ -65,10 +64,10 @@ void KinematicWalking::declare(Declaration& d) const {
 }
 
 void KinematicWalking::link(Links& links) {
-  const TreeTable& tree = links.shared(kTree);
-  const std::vector<SolePlace>& soles = links.shared(kSoles);
+  const TreeTable tree = links.shared(kTree);
+  const std::vector<SolePlace> soles = links.shared(kSoles);
   if (soles.size() != 2) {
-    throw std::invalid_argument(fmt::format("kinematic_walking: the robot has {} soles; expected 2", soles.size()));
+    throw std::invalid_argument(fmt::format("the robot has {} soles; expected 2", soles.size()));
   }
   rows_ = kernelRows(tree);
   arguments_.rows = rows_.data();

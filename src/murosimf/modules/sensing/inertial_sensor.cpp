@@ -14,8 +14,8 @@ constexpr Variable<double> kImuStarted{"imu_started", "1", "1 once imu_velocity 
 void InertialSensor::declare(Declaration& d) const {
   d.runsIn(Phase::kSense);
   d.needs(kImuPlace);
-  d.reads(kBodyPose, subset::kBodies);
-  d.reads(kBodyPoseLast, subset::kBodies);
+  d.readsInStep(kBodyPose, subset::kBodies);
+  d.readsInStep(kBodyPoseLast, subset::kBodies);
   d.adds(kGyroscope);
   d.adds(kAccelerometer);
   d.adds(kImuVelocity);
@@ -23,7 +23,7 @@ void InertialSensor::declare(Declaration& d) const {
 }
 
 void InertialSensor::link(Links& links) {
-  const MountPlace& place = links.shared(kImuPlace);
+  const MountPlace place = links.shared(kImuPlace);
   arguments_ = {place.row,
                 kernelPose(place.X_RM),
                 links.column(kBodyPose, subset::kBodies),
