@@ -21,8 +21,9 @@ function(murosimf_kernels name)
     if(murosimf_kernel_compiler MATCHES "clang")
       target_compile_options(murosimf_${name}_kernels PRIVATE ${murosimf_clang_warnings})
     endif()
-    set_target_properties(murosimf_${name}_kernels PROPERTIES CXX_COMPILER_LAUNCHER
-      "${PROJECT_SOURCE_DIR}/cmake/compile_kernel.sh;${murosimf_kernel_compiler};${CMAKE_CXX_COMPILER};${CMAKE_CXX_COMPILER_LAUNCHER}")
+    set(launcher "${PROJECT_SOURCE_DIR}/cmake/compile_kernel.sh" "${murosimf_kernel_compiler}" "${CMAKE_CXX_COMPILER}"
+        ${CMAKE_CXX_COMPILER_LAUNCHER})  # none where there is no ccache
+    set_target_properties(murosimf_${name}_kernels PROPERTIES CXX_COMPILER_LAUNCHER "${launcher}")
   endif()
 endfunction()
 
