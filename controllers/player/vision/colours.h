@@ -49,7 +49,8 @@ inline Colour classify(const std::uint8_t* rgb, const FieldColours& field) {
   const int high = r > g ? (r > b ? r : b) : (g > b ? g : b);
   const int low = r < g ? (r < b ? r : b) : (g < b ? g : b);
   if (high - low > 28 && (high - low) * 4 > r + g + b) return saturatedColour(r, g, b);
-  return low >= field.white_limit ? Colour::kWhite : Colour::kOther;
+  const bool edge_of_line = g > field.green_level && 20 * greenExcess(r, g, b) > r + g + b;  // half paint, half carpet
+  return low >= field.white_limit || edge_of_line ? Colour::kWhite : Colour::kOther;
 }
 
 /// A weighted sum of the channels that is large on one colour and small on what may surround it.
