@@ -23,6 +23,9 @@ set(murosimf_kernel_flags -O3 -fno-tree-slp-vectorize -fno-math-errno)
 if(MUROSIMF_SANITIZE)
   add_compile_options(-fsanitize=${MUROSIMF_SANITIZE} -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${MUROSIMF_SANITIZE})
+  if(MUROSIMF_SANITIZE MATCHES "thread")
+    include_directories(BEFORE "${PROJECT_SOURCE_DIR}/cmake/tsan")  # the sanitizer cannot see into libtbb.so
+  endif()
 endif()
 
 unset(murosimf_kernel_compiler)
