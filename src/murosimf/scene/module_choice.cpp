@@ -45,6 +45,10 @@ Assignment assignmentOf(std::string module, const ModuleChoice* choice, double p
   if (*choice->period > 0) {
     assignment.parameters.insert_or_assign("period", WrittenParameter{{{*choice->period}, ""}, choice->period.where});
   }
+  // Modules step in phase; the linker says so to who asks for another one.
+  if (choice->phase.given()) {
+    assignment.parameters.insert_or_assign("phase", WrittenParameter{{{*choice->phase}, ""}, choice->phase.where});
+  }
   for (const NamedValue& parameter : choice->parameters) {
     assignment.parameters.insert_or_assign(parameter.name,
                                            WrittenParameter{writtenValue(*parameter.value), parameter.name_where});

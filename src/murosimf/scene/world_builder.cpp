@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
+
 #include "murosimf/robot/urdf_reader.h"
 #include "murosimf/scene/module_choice.h"
 #include "murosimf/world/vocabulary.h"
@@ -98,7 +100,13 @@ std::unique_ptr<Simulation> WorldBuilder::link(const ModuleRegistry& registry, c
   attachFrame(linker, participants_);
   std::unique_ptr<LinkedWorld> linked = linker.link(diagnostics_);
   if (linked == nullptr) return nullptr;
-  auto simulation = std::make_unique<Simulation>(world_, std::move(linked), participants_);
+  std::unique_ptr<Simulation> simulation;
+  try {
+    simulation = std::make_unique<Simulation>(world_, std::move(linked), participants_);
+  } catch (const std::invalid_argument& problem) {  // a pair of surfaces that the scenario does not describe
+    diagnostics_.error({scene_.file.string()}, problem.what());
+    return nullptr;
+  }
   attachControl(*simulation, programs);
   for (const RobotSettings& robot : scene_.robots) {
     simulation->interventions().placeRobot(0, world_->find(robot.path()), *robot.pose);
