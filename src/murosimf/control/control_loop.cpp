@@ -1,65 +1,45 @@
 #include "murosimf/control/control_loop.h"
 
-#include <oneapi/tbb/task_arena.h>
-#include <oneapi/tbb/task_group.h>
+#include <fmt/format.h>
 
-#include <chrono>
+#include <stdexcept>
+
+#include "murosimf/control/control_runner.h"
 
 namespace murosimf {
 
-namespace {
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-}  // namespace
-
-/// One robot with everything that its task touches.
-struct ControlLoop::Runner {
-  struct Pending {
-    client::CommandFrame commands;
-    long due = 0;  // the frame at whose beginning they act
-  };
-  ControlledRobot controlled;
-  int index = 0;
-  client::SensorFrame sensors;
-  client::GameInfo game;
-  std::vector<client::TeamMessage> inbox;
-  std::vector<client::CameraPicture> pictures;
-  std::vector<std::pair<std::size_t, Pose>> due_cameras;  // with their poses X_WC
-  const RayScene* scene = nullptr;
-  client::CommandFrame commands;
-  std::deque<Pending> pending;
-  ControlCounts counts;
-  std::atomic<bool> busy{false};
-  bool answered = false;  // the last task's commands have not been put into `pending` yet
-  long asked = 0;         // frame of the last sensor frame
-
-  explicit Runner(ControlledRobot robot) : controlled(std::move(robot)), commands(controlled.port.emptyCommands()) {}
-};
-
-struct ControlLoop::Pool {
-  oneapi::tbb::task_arena arena;
-  oneapi::tbb::task_group group;
-  explicit Pool(int threads) : arena(threads > 0 ? threads : oneapi::tbb::task_arena::automatic) {}
-};
-
 ControlLoop::ControlLoop(std::vector<ControlledRobot> robots, const SceneView& view, const ControlTiming& timing,
                          double frame_length)
-    : view_(view),
-      timing_(timing),
-      frame_length_(frame_length),
-      // Paced, the frame thread never waits, so somebody else must do the work.
-      pool_(std::make_unique<Pool>(timing.paced && timing.threads == 1 ? 2 : timing.threads)),
-      snapshots_(2, view.initialScene()) {
-  for (ControlledRobot& robot : robots) {
-    robots_.push_back(std::make_unique<Runner>(std::move(robot)));
-    robots_.back()->index = static_cast<int>(robots_.size()) - 1;
+    : view_(view), timing_(timing), frame_length_(frame_length) {
+  if (timing.period < 1 || timing.delay < 0) {
+    throw std::invalid_argument(fmt::format("control period of {} frames, delay of {}; expected at least 1 and 0",
+                                            timing.period, timing.delay));
   }
+  const int count = static_cast<int>(robots.size()), capacity = static_cast<int>(timing.delay / timing.period) + 2;
+  int cameras = 0;
+  for (ControlledRobot& robot : robots) {
+    checkCameras(robot);
+    cameras += static_cast<int>(robot.cameras.size());
+    robots_.push_back(std::make_unique<Runner>(robotCount(), count, capacity, std::move(robot)));
+  }
+  // Each camera has at most one picture that waits for its program and one that is being rendered.
+  snapshots_ = std::make_unique<SnapshotShelf>(view, 2 * cameras);
+  const auto task = [this](int robot) { runTask(*robots_[static_cast<std::size_t>(robot)]); };
+  pool_ = timing.paced ? makeThreadPerRobot(count, task) : makeSharedPool(timing.threads, task);
 }
 
-ControlLoop::~ControlLoop() { finish(); }
+ControlLoop::~ControlLoop() { pool_->wait(); }
+
+void ControlLoop::checkCameras(const ControlledRobot& robot) const {
+  for (const auto& camera : robot.cameras) {
+    if (camera != nullptr && camera->period() < static_cast<double>(timing_.period)) {
+      throw std::invalid_argument(
+          fmt::format("a camera of {} takes a picture every {} frames; expected at least {}, "
+                      "the control period",
+                      robot.port.description().model, camera->period(), timing_.period));
+    }
+  }
+}
 
 const ControlledRobot& ControlLoop::robot(int index) const {
   return robots_[static_cast<std::size_t>(index)]->controlled;
@@ -81,112 +61,97 @@ const client::ControlReport* ControlLoop::report(int robot) const {
   return runner.controlled.program == nullptr ? nullptr : &runner.controlled.program->report();
 }
 
-void ControlLoop::start() {
-  for (auto& runner : robots_) {
-    if (runner->controlled.program != nullptr) runner->controlled.program->start(runner->controlled.port.description());
-  }
-}
-
 void ControlLoop::applyCommands(long frame) {
   for (auto& runner : robots_) {
     // The frame in which an answer is due waits for it, unless the wall clock sets the pace.
-    const long due = runner->asked + 1 + timing_.delay;
-    if (runner->answered && runner->busy && due <= frame && !timing_.paced) finish();
-    if (runner->answered && !runner->busy) {
-      if (due < frame) ++runner->counts.late_commands;
-      runner->pending.push_back({runner->commands, due});
-      runner->answered = false;
-    }
+    const bool due = runner->answered && runner->asked + 1 + timing_.delay <= frame;
+    if (due && runner->busy && !timing_.paced) pool_->wait();
+    collect(*runner, frame);
     while (!runner->pending.empty() && runner->pending.front().due <= frame) {
-      runner->counts.refused_joints += runner->controlled.port.applyCommands(runner->pending.front().commands);
-      runner->pending.pop_front();
+      runner->refused_joints += runner->controlled.port.applyCommands(runner->pending.front().commands);
+      runner->pending.pop();
     }
   }
 }
 
-void ControlLoop::collectMessages() {
-  for (auto& receiver : robots_) {
-    receiver->inbox.clear();
-    for (const auto& sender : robots_) {
-      const bool mates = sender != receiver &&
-                         sender->controlled.port.description().team == receiver->controlled.port.description().team;
-      if (mates && sender->commands.message.number != 0) receiver->inbox.push_back(sender->commands.message);
+/// Takes over what a task that has ended leaves behind: commands that can act from `next_frame` on.
+void ControlLoop::collect(Runner& runner, long next_frame) {
+  if (!runner.answered || runner.busy) return;
+  runner.answered = false;
+  for (Exposure& exposure : runner.exposures) {
+    if (exposure.snapshot != kNoSnapshot) snapshots_->release(std::exchange(exposure.snapshot, kNoSnapshot));
+  }
+  if (runner.observer_fault != nullptr) std::rethrow_exception(std::exchange(runner.observer_fault, nullptr));
+  runner.failed = runner.fault.has_value();
+  if (runner.failed) return;  // half a step's commands are none
+  const long due = runner.asked + 1 + timing_.delay;
+  if (due < next_frame) ++runner.late_commands;
+  runner.pending.push(runner.commands, due);
+  runner.outbox = runner.commands.message;
+}
+
+void ControlLoop::takePictures(long frame) {
+  for (auto& runner : robots_) {
+    if (!runner->runs()) continue;
+    for (std::size_t i = 0; i < runner->waiting.size(); ++i) {
+      const auto& camera = runner->controlled.cameras[i];
+      if (camera == nullptr || !camera->isDue(frame)) continue;
+      Exposure& exposure = runner->waiting[i];
+      if (exposure.snapshot != kNoSnapshot) snapshots_->release(exposure.snapshot);
+      exposure = {snapshots_->hold(frame), frame, camera->pose(view_, frame)};
     }
+  }
+}
+
+void ControlLoop::deliverMessages() {
+  for (const auto& sender : robots_) {
+    if (sender->outbox.number == 0) continue;
+    for (auto& receiver : robots_) {
+      const bool mates = sender != receiver && sender->team() == receiver->team();
+      if (mates) receiver->inbox[static_cast<std::size_t>(sender->index)] = sender->outbox;
+    }
+    sender->outbox.number = 0;
   }
 }
 
 void ControlLoop::publish(long frame) {
+  takePictures(frame);
   if ((frame + 1) % timing_.period != 0) return;
-  if (!timing_.paced) {
-    finish();
-    applyCommands(frame);
-  }
-  const bool all_free = [&] {
-    for (const auto& runner : robots_) {
-      if (runner->busy) return false;
-    }
-    return true;
-  }();
-  if (all_free) collectMessages();
-  RayScene& scene = snapshots_[next_snapshot_];
-  bool taken = false;
+  if (!timing_.paced) pool_->wait();
+  for (auto& runner : robots_) collect(*runner, frame + 1);
+  deliverMessages();
   for (auto& runner : robots_) {
-    if (runner->controlled.program == nullptr) continue;
-    if (runner->busy) {
-      ++runner->counts.missed_frames;
-      continue;
+    if (!runner->runs()) continue;
+    if (runner->answered) {
+      ++runner->missed_frames;
+    } else {
+      launch(*runner, frame);
     }
-    runner->due_cameras.clear();
-    for (std::size_t i = 0; i < runner->controlled.cameras.size(); ++i) {
-      const auto& camera = runner->controlled.cameras[i];
-      if (camera != nullptr && camera->isDue(frame)) runner->due_cameras.emplace_back(i, camera->pose(view_, frame));
-    }
-    if (!runner->due_cameras.empty() && !taken) {
-      view_.snapshot(frame, scene);
-      taken = true;
-    }
-    runner->scene = &scene;
-    launch(*runner, frame);
   }
-  if (taken && all_free) next_snapshot_ = 1 - next_snapshot_;
 }
 
 void ControlLoop::launch(Runner& runner, long frame) {
   runner.controlled.port.readSensors(static_cast<double>(frame + 1) * frame_length_, runner.sensors);
   runner.sensors.game = runner.game;
-  runner.sensors.team_messages = runner.inbox;
+  runner.messages.clear();
+  for (client::TeamMessage& message : runner.inbox) {
+    if (message.number != 0) runner.messages.push_back(message);
+    message.number = 0;
+  }
+  runner.sensors.team_messages = runner.messages;
+  std::swap(runner.exposures, runner.waiting);
   runner.asked = frame;
   runner.answered = true;
   for (ControlObserver* observer : observers_) observer->onSensors(runner.index, frame);
   runner.busy = true;
-  pool_->arena.execute([&] { pool_->group.run([this, &runner, frame] { runTask(runner, frame); }); });
-}
-
-void ControlLoop::runTask(Runner& runner, long frame) {
-  auto start = std::chrono::steady_clock::now();
-  runner.pictures.clear();
-  for (const auto& [index, X_WC] : runner.due_cameras) {
-    RobotCamera& camera = *runner.controlled.cameras[index];
-    camera.render(*runner.scene, X_WC, frame);
-    const Picture& picture = camera.picture();
-    runner.pictures.push_back({static_cast<int>(index), runner.sensors.time, picture.width, picture.height,
-                               std::span<const std::uint8_t>(picture.rgb)});
-    ++runner.counts.pictures;
-  }
-  runner.counts.picture_seconds += secondsSince(start);
-  start = std::chrono::steady_clock::now();
-  runner.sensors.pictures = runner.pictures;
-  runner.controlled.program->step(runner.sensors, runner.commands);
-  runner.counts.program_seconds += secondsSince(start);
-  ++runner.counts.steps;
-  for (ControlObserver* observer : observers_) {
-    observer->onStep(runner.index, frame, runner.sensors, runner.controlled, runner.controlled.program->report());
-  }
-  runner.busy = false;
+  pool_->launch(runner.index);
 }
 
 void ControlLoop::finish() {
-  pool_->arena.execute([&] { pool_->group.wait(); });
+  pool_->wait();
+  for (auto& runner : robots_) {
+    if (runner->observer_fault) std::rethrow_exception(std::exchange(runner->observer_fault, nullptr));
+  }
 }
 
 ControlCounts ControlLoop::counts() const {
@@ -197,24 +162,36 @@ ControlCounts ControlLoop::counts() const {
     sum.program_seconds += c.program_seconds;
     sum.pictures += c.pictures;
     sum.steps += c.steps;
-    sum.refused_joints += c.refused_joints;
-    sum.late_commands += c.late_commands;
-    sum.missed_frames += c.missed_frames;
+    sum.refused_joints += runner->refused_joints;
+    sum.late_commands += runner->late_commands;
+    sum.missed_frames += runner->missed_frames;
+    sum.failed_programs += runner->fault ? 1 : 0;
   }
   return sum;
+}
+
+std::vector<ProgramFault> ControlLoop::faults() const {
+  std::vector<ProgramFault> faults;
+  for (const auto& runner : robots_) {
+    if (!runner->fault) continue;
+    const double time = static_cast<double>(runner->asked + 1) * frame_length_;
+    faults.push_back({runner->controlled.port.robot(), time, *runner->fault});
+  }
+  return faults;
 }
 
 void ControlLoop::archive(StateArchive& archive) {
   finish();
   for (auto& runner : robots_) {
-    std::vector<Runner::Pending> pending(runner->pending.begin(), runner->pending.end());
-    std::size_t count = pending.size();
-    archive(count, runner->game, runner->commands.joints, runner->commands.message, runner->asked, runner->answered);
-    pending.resize(count);
-    for (Runner::Pending& p : pending) archive(p.commands.joints, p.commands.message, p.due);
-    runner->pending.assign(pending.begin(), pending.end());
-    if (runner->controlled.program != nullptr) runner->controlled.program->archive(archive);
+    Runner& r = *runner;
+    collect(r, r.asked);
+    std::string fault = r.fault.value_or("");
+    archive(r.game, r.inbox, r.outbox, r.waiting, r.pending, r.commands.joints, r.commands.message, r.asked);
+    archive(r.failed, fault);
+    r.fault = r.failed ? std::optional(fault) : std::nullopt;
+    if (r.runs()) r.controlled.program->archive(archive);
   }
+  snapshots_->archive(archive);
 }
 
 }  // namespace murosimf

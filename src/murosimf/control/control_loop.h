@@ -2,21 +2,24 @@
 
 /// @file Runs the control software of all robots: pictures and sensors out, commands back in, on its own clock.
 ///
-/// At the end of a frame in which the control period ends, each robot's sensors are read and, where a camera is due, a
-/// snapshot of the world is taken. One task per robot then renders its pictures and steps its control software, on
-/// other threads, while physics goes on. Commands computed from the sensor frame of time t act at t + delay:
+/// At the end of a frame in which the control period ends, each robot's sensors are read, and one task per robot
+/// renders the pictures taken since and steps its control software, on other threads, while physics goes on. Pictures
+/// show the world as it was at the end of the frame in which their camera was due. Commands computed from the sensor
+/// frame of time t act at t + delay:
 ///   simulated clock   never earlier, never later: the frame waits for tasks that are not ready;
-///   paced clock       late ones act late and are counted; a robot that is still busy misses its next sensor frame.
+///   paced clock       late ones act late and are counted; a robot that is still busy misses its next sensor frame, and
+///                     the newest of its pictures wait with it. The frame thread never waits.
 /// Messages to team mates are delivered with the next sensor frame. No lock is held while a program runs.
+/// A program that throws is not stepped again: its robot keeps the last command, the others go on; see faults().
 
-#include <atomic>
-#include <deque>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "murosimf/control/client/control_software.h"
+#include "murosimf/control/program_pool.h"
 #include "murosimf/control/robot_port.h"
+#include "murosimf/control/snapshot_shelf.h"
 #include "murosimf/modules/camera/robot_camera.h"
 
 namespace murosimf {
@@ -43,17 +46,26 @@ class ControlObserver {
 struct ControlTiming {
   long period = 10, delay = 10;  ///< [frames]
   bool paced = false;
-  int threads = 0;  ///< 0: as many as the machine has
+  int threads = 0;  ///< simulated clock; 0: as many as the machine has. Paced, each robot has one of its own
 };
 
 /// Counters for the report.
 struct ControlCounts {
   double picture_seconds = 0, program_seconds = 0;  ///< summed over threads [s]
-  long pictures = 0, steps = 0, refused_joints = 0, late_commands = 0, missed_frames = 0;
+  long pictures = 0, steps = 0, refused_joints = 0, late_commands = 0, missed_frames = 0, failed_programs = 0;
+};
+
+/// A program that threw an exception.
+struct ProgramFault {
+  ObjectId robot;
+  double time = 0;   ///< of the sensor frame that it failed at; 0: it did not start [s]
+  std::string what;  ///< the exception's text
 };
 
 class ControlLoop {
  public:
+  /// The view must live longer. Cameras' periods must not be shorter than the control period.
+  /// @throws std::invalid_argument when one is, or for a period below 1 frame or a delay below 0.
   ControlLoop(std::vector<ControlledRobot> robots, const SceneView& view, const ControlTiming& timing,
               double frame_length);
   ~ControlLoop();
@@ -65,35 +77,42 @@ class ControlLoop {
   /// Observers are called in the order in which they were added; add them before the first frame.
   void observe(ControlObserver* observer) { observers_.push_back(observer); }
   void setGame(int robot, const client::GameInfo& game);
+  /// What its program believes; null when it has none. Only while no program runs: after finish().
   const client::ControlReport* report(int robot) const;
 
   /// Starts the programs. Call once, before the first frame.
   void start();
   /// Puts commands into force that are due at the beginning of this frame.
   void applyCommands(long frame);
-  /// Hands out sensor frames when a control period ends with this frame.
+  /// Takes the pictures that are due at the end of this frame, and hands out sensor frames when a control period ends.
   void publish(long frame);
-  /// Waits until no program runs.
+  /// Waits until no program runs. @throws what an observer threw
   void finish();
+  /// Only while no program runs: after finish().
   ControlCounts counts() const;
+  /// The programs that failed, in the order of robots. Only while no program runs.
+  std::vector<ProgramFault> faults() const;
   /// State of ports and programs. Waits for them first.
   void archive(StateArchive& archive);
 
  private:
   struct Runner;
-  struct Pool;
+  void checkCameras(const ControlledRobot& robot) const;
+  void takePictures(long frame);
+  void collect(Runner& runner, long next_frame);
+  void deliverMessages();
   void launch(Runner& runner, long frame);
-  void runTask(Runner& runner, long frame);
-  void collectMessages();
+  void runTask(Runner& runner);
+  void render(Runner& runner);
+  void stepProgram(Runner& runner);
 
   std::vector<std::unique_ptr<Runner>> robots_;
   const SceneView& view_;
   ControlTiming timing_;
   double frame_length_;
-  std::unique_ptr<Pool> pool_;
-  std::vector<RayScene> snapshots_;  // two: one may still be looked at
-  std::size_t next_snapshot_ = 0;
+  std::unique_ptr<SnapshotShelf> snapshots_;
   std::vector<ControlObserver*> observers_;
+  std::unique_ptr<ProgramPool> pool_;  // ends before what its tasks use
 };
 
 }  // namespace murosimf

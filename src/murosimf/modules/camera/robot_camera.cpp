@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -18,16 +19,25 @@ RobotCamera::RobotCamera(const World& world, const SceneView& view, ObjectId rob
       rays_(std::move(rays)),
       settings_(settings),
       seed_(seed),
-      period_(std::lround(settings.period / frame_length)),
-      phase_(std::lround(settings.phase / frame_length)) {
+      period_(settings.period / frame_length),
+      phase_(settings.phase / frame_length) {
   const MountPlace* place = world.findShared(camera, kCameraPlace);
   if (place == nullptr) throw std::invalid_argument(fmt::format("camera {} has no camera_place", path_));
-  if (period_ < 1) throw std::invalid_argument(fmt::format("camera {} has no period of at least one frame", path_));
+  if (!(period_ >= 1)) throw std::invalid_argument(fmt::format("camera {} has no period of at least one frame", path_));
+  picture_.has_depth = false;  // nobody asks a robot's camera for it
   row_ = place->row;
   X_BC_ = place->X_RM;
   if (const std::vector<int>* rows = world.findShared(camera, kHiddenRows)) {
     for (const int row : *rows) hidden_.push_back(view.ownerOf(robot, row));
   }
+}
+
+bool RobotCamera::isDue(long frame) const {
+  const long near = std::lround((static_cast<double>(frame + 1) - phase_) / period_);
+  for (long k = std::max(0L, near - 1); k <= near + 1; ++k) {
+    if (std::lround(phase_ + static_cast<double>(k) * period_) == frame + 1) return true;
+  }
+  return false;
 }
 
 Pose RobotCamera::pose(const SceneView& view, long frame) const { return view.bodyPose(robot_, row_, frame) * X_BC_; }

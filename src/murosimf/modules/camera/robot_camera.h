@@ -21,15 +21,19 @@ struct RobotCameraSettings {
 
 class RobotCamera {
  public:
-  /// @throws std::invalid_argument as checkCamera() does, or when the object lacks a lens or a mount.
+  /// World and view are looked at here alone.
+  /// @throws std::invalid_argument when the object lacks a mount, or when the period is below one frame.
   RobotCamera(const World& world, const SceneView& view, ObjectId robot, ObjectId camera,
               std::shared_ptr<const RayTable> rays, const RobotCameraSettings& settings, std::uint64_t seed,
               double frame_length);
 
   ObjectId object() const { return object_; }
   const CameraModel& model() const { return rays_->camera(); }
-  /// True when a picture is due at the end of this frame; `frame` = -1 is the moment before the first one.
-  bool isDue(long frame) const { return (frame + 1) >= phase_ && (frame + 1 - phase_) % period_ == 0; }
+  /// Time between pictures [frames], not always a whole number.
+  double period() const { return period_; }
+  /// True when a picture is due at the end of this frame; `frame` = -1 is the moment before the first one. Picture k is
+  /// taken at phase + k period, rounded to frames: at 30 Hz and 1 ms after 33, 67, 100 frames, so nothing drifts.
+  bool isDue(long frame) const;
   /// X_WC at the end of a frame.
   Pose pose(const SceneView& view, long frame) const;
   /// Renders into picture(). May run on any thread while the simulation goes on; reads only its arguments.
@@ -42,7 +46,7 @@ class RobotCamera {
   std::shared_ptr<const RayTable> rays_;
   RobotCameraSettings settings_;
   std::uint64_t seed_;
-  long period_, phase_;  // in frames
+  double period_, phase_;  // in frames
   int row_;
   Pose X_BC_;
   std::vector<std::uint32_t> hidden_;

@@ -1,0 +1,64 @@
+#pragma once
+
+/// @file Private to ControlLoop: what it keeps of one robot.
+
+#include <atomic>
+#include <exception>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "murosimf/control/command_queue.h"
+#include "murosimf/control/control_loop.h"
+
+namespace murosimf {
+
+inline constexpr long kNoSnapshot = -1;
+
+/// One picture that was taken but not rendered yet.
+struct Exposure {
+  long snapshot = kNoSnapshot, frame = 0;
+  Pose X_WC;
+};
+
+/// One robot with everything that its task touches. While `busy`, what stands in the second part is the task's.
+struct ControlLoop::Runner {
+  int index = 0;
+  client::GameInfo game;
+  std::vector<client::TeamMessage> inbox;  // one place a robot: the last message since the last sensor frame
+  client::TeamMessage outbox;              // of the last answer, until it is delivered
+  std::vector<Exposure> waiting;           // one place a camera
+  CommandQueue pending;
+  bool answered = false;  // the last task's commands have not been collected yet
+  bool failed = false;
+  long refused_joints = 0, late_commands = 0, missed_frames = 0;
+  std::atomic<bool> busy{false};
+
+  ControlledRobot controlled;
+  long asked = 0;  // frame of the last sensor frame
+  client::SensorFrame sensors;
+  std::vector<Exposure> exposures;  // of this sensor frame, one place a camera
+  std::vector<client::TeamMessage> messages;
+  std::vector<client::CameraPicture> pictures;
+  client::CommandFrame commands;
+  std::optional<std::string> fault;  // what the program threw
+  std::exception_ptr observer_fault;
+  ControlCounts counts;
+
+  Runner(int i, int robots, int capacity, ControlledRobot robot)
+      : index(i),
+        inbox(static_cast<std::size_t>(robots)),
+        waiting(robot.cameras.size()),
+        pending(capacity, robot.port.emptyCommands()),
+        controlled(std::move(robot)),
+        exposures(waiting.size()),
+        commands(controlled.port.emptyCommands()) {
+    messages.reserve(inbox.size());
+    pictures.reserve(waiting.size());
+  }
+  bool runs() const { return controlled.program != nullptr && !failed; }
+  const std::string& team() const { return controlled.port.description().team; }
+};
+
+}  // namespace murosimf

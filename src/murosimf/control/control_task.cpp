@@ -1,0 +1,80 @@
+// The part of ControlLoop that runs on the programs' threads.
+
+#include <chrono>
+
+#include "murosimf/control/control_runner.h"
+
+namespace murosimf {
+
+namespace {
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Calls the program; the text of what it threw, if it did.
+template <class Call>
+std::optional<std::string> faultOf(const Call& call) {
+  try {
+    call();
+    return std::nullopt;
+  } catch (const std::exception& fault) {
+    return fault.what();
+  } catch (...) {
+    return "an exception without a text";
+  }
+}
+
+}  // namespace
+
+void ControlLoop::start() {
+  for (auto& runner : robots_) {
+    ControlledRobot& robot = runner->controlled;
+    if (robot.program == nullptr) continue;
+    runner->asked = -1;
+    runner->fault = faultOf([&] { robot.program->start(robot.port.description()); });
+    runner->failed = runner->fault.has_value();
+  }
+}
+
+void ControlLoop::runTask(Runner& runner) {
+  try {
+    render(runner);
+    stepProgram(runner);
+    for (ControlObserver* observer : observers_) {
+      if (runner.fault) break;
+      observer->onStep(runner.index, runner.asked, runner.sensors, runner.controlled,
+                       runner.controlled.program->report());
+    }
+  } catch (...) {
+    runner.observer_fault = std::current_exception();
+  }
+  runner.busy = false;
+}
+
+void ControlLoop::render(Runner& runner) {
+  const auto start = std::chrono::steady_clock::now();
+  runner.pictures.clear();
+  for (std::size_t i = 0; i < runner.exposures.size(); ++i) {
+    const Exposure& exposure = runner.exposures[i];
+    if (exposure.snapshot == kNoSnapshot) continue;
+    RobotCamera& camera = *runner.controlled.cameras[i];
+    camera.render(snapshots_->scene(exposure.snapshot), exposure.X_WC, exposure.frame);
+    const Picture& picture = camera.picture();
+    runner.pictures.push_back({static_cast<int>(i), static_cast<double>(exposure.frame + 1) * frame_length_,
+                               picture.width, picture.height, std::span<const std::uint8_t>(picture.rgb)});
+    ++runner.counts.pictures;
+  }
+  runner.counts.picture_seconds += secondsSince(start);
+}
+
+void ControlLoop::stepProgram(Runner& runner) {
+  const auto start = std::chrono::steady_clock::now();
+  runner.sensors.pictures = runner.pictures;
+  runner.commands.joints.resize(runner.controlled.port.description().joints.size());
+  runner.fault = faultOf([&] { runner.controlled.program->step(runner.sensors, runner.commands); });
+  runner.counts.program_seconds += secondsSince(start);
+  ++runner.counts.steps;
+}
+
+}  // namespace murosimf
