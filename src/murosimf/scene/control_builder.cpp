@@ -3,67 +3,71 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <stdexcept>
 
-#include "murosimf/scene/module_choice.h"
 #include "murosimf/scene/world_builder.h"
 #include "murosimf/world/vocabulary.h"
 
 namespace murosimf {
 
-std::shared_ptr<const RayTable> WorldBuilder::raysOf(const CameraModel& lens, const SourceLocation& where) {
-  for (const auto& rays : rays_) {
-    if (rays->camera() == lens) return rays;
+/// Cameras of the same lens share its rays, and its mistake is told once.
+std::shared_ptr<const RayTable> WorldBuilder::raysOf(const CameraMount& mount, const CameraModel& lens) {
+  for (const auto& [known, rays] : rays_) {
+    if (known == lens) return rays;
   }
+  rays_.emplace_back(lens, nullptr);
   try {
-    rays_.push_back(std::make_shared<const RayTable>(lens));
-    return rays_.back();
+    rays_.back().second = std::make_shared<const RayTable>(lens);
   } catch (const std::invalid_argument& problem) {
-    diagnostics_.error(where, problem.what());
-    return nullptr;
+    diagnostics_.error(mount.where, fmt::format("camera {}: {}", mount.name, problem.what()));
+  }
+  return rays_.back().second;
+}
+
+void WorldBuilder::chooseCameras(Outfit& outfit) {
+  reportUnknownCameras(*outfit.robot, *outfit.model, diagnostics_);
+  for (const CameraMount& mount : outfit.model->cameras) {
+    outfit.cameras.push_back(cameraChoice(*outfit.robot, mount, *scene_.simulation.control_period, diagnostics_));
+    const ObjectId camera = world_->find(world_->path(outfit.id) + "." + mount.name);
+    outfit.rays.push_back(outfit.cameras.back().on ? raysOf(mount, *world_->find(camera, kCameraModel)) : nullptr);
   }
 }
 
-std::vector<std::unique_ptr<RobotCamera>> WorldBuilder::makeCameras(const Simulation& simulation,
-                                                                    const RobotSettings& robot) {
-  const RobotModel& model = blueprints_.find(robot.file_found.string())->second->model;
-  const ObjectId id = world_->find(robot.path());
-  reportUnknownCameras(robot, model, diagnostics_);
-  std::vector<std::unique_ptr<RobotCamera>> cameras;
-  for (const CameraMount& mount : model.cameras) {
-    const CameraChoice choice = cameraChoice(robot, mount, diagnostics_);
-    std::shared_ptr<const RayTable> rays;
-    const ObjectId object = world_->find(robot.path() + "." + mount.name);
-    if (choice.on) rays = raysOf(*world_->find(object, kCameraModel), mount.where);
-    cameras.push_back(rays == nullptr
-                          ? nullptr
-                          : std::make_unique<RobotCamera>(*world_, simulation.view(), id, object, rays, choice.settings,
-                                                          *scene_.simulation.seed, *scene_.simulation.frame));
+void WorldBuilder::chooseProgram(Outfit& outfit, const ControlPrograms& programs) {
+  const Located<std::string>& name = outfit.robot->control.module;
+  for (const NamedValue& parameter : outfit.robot->control.parameters) {
+    diagnostics_.error(parameter.name_where, fmt::format("{}: control software \"{}\" has no parameter \"{}\"",
+                                                         outfit.robot->path(), *name, parameter.name));
   }
-  return cameras;
-}
-
-std::unique_ptr<client::ControlSoftware> WorldBuilder::makeProgram(const RobotSettings& robot,
-                                                                   const ControlPrograms& programs) {
-  const Located<std::string>& name = robot.control.module;
-  if (name->empty() || *name == "none") return nullptr;
+  if (name->empty() || *name == "none") return;
   const auto found = programs.find(*name);
-  if (found != programs.end()) return found->second();
+  if (found != programs.end()) {
+    outfit.program = found->second;
+    return;
+  }
   std::vector<std::string> known{"none"};
   for (const auto& [program, make] : programs) known.push_back(program);
-  diagnostics_.error(name.where, fmt::format("{}: unknown control software \"{}\"; expected one of {}{}", robot.path(),
-                                             *name, fmt::join(known, ", "), didYouMean(*name, known)));
-  return nullptr;
+  diagnostics_.error(
+      name.where, fmt::format("{}: unknown control software \"{}\"; expected one of {}{}", outfit.robot->path(), *name,
+                              fmt::join(known, ", "), didYouMean(*name, known)));
 }
 
-void WorldBuilder::attachControl(Simulation& simulation, const ControlPrograms& programs) {
-  std::vector<ControlledRobot> controlled;
-  for (const RobotSettings& robot : scene_.robots) {
-    std::unique_ptr<client::ControlSoftware> program = makeProgram(robot, programs);
-    RobotPort port(simulation.linked(), world_->find(robot.path()), describe(robot));
-    controlled.push_back({std::move(port), makeCameras(simulation, robot), std::move(program)});
-  }
-  if (diagnostics_.hasErrors()) return;
+void WorldBuilder::attachControl(Simulation& simulation) const {
   const double frame = *scene_.simulation.frame;
+  std::vector<ControlledRobot> controlled;
+  for (const Outfit& outfit : outfits_) {
+    ControlledRobot& robot = controlled.emplace_back(
+        ControlledRobot{RobotPort(simulation.linked(), outfit.id, describe(*outfit.robot)), {}, nullptr});
+    const auto objects = world_->members(outfit.id, kCamerasSubset);
+    for (std::size_t i = 0; i < outfit.rays.size(); ++i) {
+      robot.cameras.push_back(outfit.rays[i] == nullptr
+                                  ? nullptr
+                                  : std::make_unique<RobotCamera>(*world_, simulation.view(), outfit.id, objects[i],
+                                                                  outfit.rays[i], outfit.cameras[i].settings,
+                                                                  *scene_.simulation.seed, frame));
+    }
+    if (outfit.program != nullptr) robot.program = outfit.program();
+  }
   ControlTiming timing;
   timing.period = std::lround(*scene_.simulation.control_period / frame);
   timing.delay = std::lround(*scene_.simulation.control_delay / frame);

@@ -31,6 +31,14 @@ const ModuleChoice* choiceFor(const RobotSettings& robot, std::string_view slot)
   return found == robot.modules.end() ? nullptr : &*found;
 }
 
+/// Where a choice was written: its module, or else the first thing that was said of it.
+SourceLocation placeOf(const ModuleChoice& choice, const RobotSettings& robot) {
+  if (choice.module.given()) return choice.module.where;
+  if (choice.period.given()) return choice.period.where;
+  if (choice.phase.given()) return choice.phase.where;
+  return choice.parameters.empty() ? robot.where : choice.parameters.front().name_where;
+}
+
 /// The motion's period holds for all modules of a kinematic robot that do not say otherwise: they follow it.
 double motionPeriod(const RobotSettings& robot) {
   const ModuleChoice* motion = choiceFor(robot, "motion");
@@ -56,6 +64,13 @@ Assignment assignmentOf(std::string module, const ModuleChoice* choice, double p
   return assignment;
 }
 
+void refusePhase(const RobotSettings& robot, const ModuleChoice& choice, Diagnostics& diagnostics) {
+  if (*choice.phase == 0) return;
+  diagnostics.error(choice.phase.where, fmt::format("{}: phase of {} is {} s; expected 0: modules begin with the first "
+                                                    "frame, cameras alone can begin later",
+                                                    robot.path(), choice.slot, *choice.phase));
+}
+
 }  // namespace
 
 WrittenValue writtenValue(const SceneValue& value) {
@@ -79,16 +94,18 @@ std::vector<Assignment> modulesOf(const RobotSettings& robot, const ModuleRegist
     if (entry != nullptr && entry->concern != slot.name) {
       diagnostics.error(choice->module.where, fmt::format("{}: module {} is for {}, not for {}", robot.path(), module,
                                                           entry->concern, slot.name));
+      continue;
     }
     assignments.push_back(assignmentOf(module, choice, period, robot.where));
   }
   for (const ModuleChoice& choice : robot.modules) {
+    refusePhase(robot, choice, diagnostics);
     if (choice.slot.starts_with(kExtraModule)) {
       const std::string name = choice.module->empty() ? choice.slot.substr(kExtraModule.size()) : *choice.module;
       assignments.push_back(assignmentOf(name, &choice, period, robot.where));
     } else if (std::find(slotNames().begin(), slotNames().end(), choice.slot) == slotNames().end()) {
-      diagnostics.error(choice.module.where, fmt::format("{}: level \"{}\" has no {}; it has {}", robot.path(),
-                                                         *robot.level, choice.slot, fmt::join(slotNames(), ", ")));
+      diagnostics.error(placeOf(choice, robot), fmt::format("{}: level \"{}\" has no {}; it has {}", robot.path(),
+                                                            *robot.level, choice.slot, fmt::join(slotNames(), ", ")));
     }
   }
   return assignments;
@@ -101,7 +118,8 @@ void readNumber(const NamedValue& parameter, double lowest, double highest, doub
   const auto* number = std::get_if<double>(&*parameter.value);
   if (number == nullptr || !(*number >= lowest && *number <= highest)) {
     diagnostics.error(parameter.value.where,
-                      fmt::format("{}: expected a number from {} to {}", parameter.name, lowest, highest));
+                      fmt::format("{} is {}, expected a number from {} to {}", parameter.name,
+                                  number == nullptr ? "no number" : fmt::format("{}", *number), lowest, highest));
     return;
   }
   out = *number;
@@ -109,8 +127,10 @@ void readNumber(const NamedValue& parameter, double lowest, double highest, doub
 
 }  // namespace
 
-CameraChoice cameraChoice(const RobotSettings& robot, const CameraMount& mount, Diagnostics& diagnostics) {
+CameraChoice cameraChoice(const RobotSettings& robot, const CameraMount& mount, double control_period,
+                          Diagnostics& diagnostics) {
   CameraChoice result;
+  SourceLocation period_where = mount.where;
   result.settings.period = mount.period;
   result.settings.phase = mount.phase;
   for (const ModuleChoice& choice : robot.cameras) {
@@ -121,7 +141,7 @@ CameraChoice cameraChoice(const RobotSettings& robot, const CameraMount& mount, 
                         fmt::format("{}: unknown camera module \"{}\"; expected none or ray_caster{}", robot.path(),
                                     *choice.module, didYouMean(*choice.module, {"none", "ray_caster"})));
     }
-    if (*choice.period > 0) result.settings.period = *choice.period;
+    if (*choice.period > 0) result.settings.period = *choice.period, period_where = choice.period.where;
     if (choice.phase.given()) result.settings.phase = *choice.phase;
     for (const NamedValue& parameter : choice.parameters) {
       if (parameter.name == "noise") {
@@ -136,6 +156,11 @@ CameraChoice cameraChoice(const RobotSettings& robot, const CameraMount& mount, 
       }
     }
   }
+  if (result.on && !(result.settings.period >= control_period)) {
+    diagnostics.error(period_where, fmt::format("{}: period of camera {} is {} s, expected at least the control "
+                                                "software's of {} s",
+                                                robot.path(), mount.name, result.settings.period, control_period));
+  }
   return result;
 }
 
@@ -144,7 +169,7 @@ void reportUnknownCameras(const RobotSettings& robot, const RobotModel& model, D
   for (const CameraMount& mount : model.cameras) known.push_back(mount.name);
   for (const ModuleChoice& choice : robot.cameras) {
     if (std::find(known.begin(), known.end(), choice.slot) != known.end()) continue;
-    diagnostics.error(choice.module.where,
+    diagnostics.error(placeOf(choice, robot),
                       fmt::format("{} has no camera \"{}\"; it has {}{}", robot.path(), choice.slot,
                                   fmt::join(known, ", "), didYouMean(choice.slot, known)));
   }

@@ -11,8 +11,8 @@
 
 namespace murosimf {
 
-/// The robot's modules with their parameters; the assembly is the caller's to fill in. Reports a slot that the level of
-/// detail does not have.
+/// The robot's modules with their parameters; the assembly is the caller's to fill in. Reports slots that the level of
+/// detail does not have, modules in the place of others, and phases, which modules have none of.
 std::vector<Assignment> modulesOf(const RobotSettings& robot, const ModuleRegistry& registry, Diagnostics& diagnostics);
 
 /// How a camera of the robot takes pictures.
@@ -20,7 +20,9 @@ struct CameraChoice {
   bool on = true;
   RobotCameraSettings settings;
 };
-CameraChoice cameraChoice(const RobotSettings& robot, const CameraMount& mount, Diagnostics& diagnostics);
+/// @param control_period  [s]; pictures are delivered with sensor frames, so none may come more often
+CameraChoice cameraChoice(const RobotSettings& robot, const CameraMount& mount, double control_period,
+                          Diagnostics& diagnostics);
 /// Reports cameras that the scenario names but the robot does not have.
 void reportUnknownCameras(const RobotSettings& robot, const RobotModel& model, Diagnostics& diagnostics);
 

@@ -77,7 +77,7 @@ void addCameras(World& world, ObjectId robot, const RobotBlueprint& b) {
     for (const int body : camera.hidden_bodies) hidden.push_back(b.flat.bodies[static_cast<std::size_t>(body)].row);
     world.set(id, kHiddenRows, std::move(hidden));
   }
-  world.defineSubset(robot, "cameras", std::move(cameras));
+  world.defineSubset(robot, kCamerasSubset, std::move(cameras));
 }
 
 }  // namespace
@@ -89,7 +89,6 @@ ObjectId addRobot(World& world, const std::string& path, const RobotBlueprint& b
   world.set(robot, kTree, b.flat.table, b.model.where);
   world.set(robot, kSoles, solesOf(b));
   world.set(robot, kShapes, shapesOf(b, team_colour));
-  world.set(robot, kMass, b.model.tree.mass());
   world.set(robot, kBlockingRadius, kDefaultBlockingRadius);
   if (!b.model.imus.empty()) {
     const ImuMount& imu = b.model.imus.front();

@@ -2,13 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <stdexcept>
 
 #include "murosimf/robot/urdf_reader.h"
-#include "murosimf/scene/module_choice.h"
 #include "murosimf/world/vocabulary.h"
 
 namespace murosimf {
+
+namespace {
+const std::string kBallSurface = "ball";
+}  // namespace
 
 Colour markColour(const std::string& team) {
   return team == "red" ? Colour{0.80F, 0.10F, 0.50F} : Colour{0.10F, 0.68F, 0.76F};
@@ -62,10 +67,57 @@ const RobotBlueprint* WorldBuilder::blueprint(const RobotSettings& robot) {
 
 void WorldBuilder::addRobots() {
   for (const RobotSettings& robot : scene_.robots) {
+    const bool seen = blueprints_.contains(robot.file_found.string());
     const RobotBlueprint* print = blueprint(robot);
     if (print == nullptr) continue;
-    participants_.robots.push_back(addRobot(*world_, robot.path(), *print, markColour(robot.team)));
+    if (!seen && *scene_.ball.present) checkSurfaces(print->model);
+    Outfit& outfit = outfits_.emplace_back();
+    outfit.robot = &robot;
+    outfit.model = &print->model;
+    outfit.id = addRobot(*world_, robot.path(), *print, markColour(robot.team));
+    participants_.robots.push_back(outfit.id);
     for (const NamedValue& property : robot.properties) setProperty(robot, property);
+    sumMass(outfit.id);
+  }
+}
+
+/// A robot weighs what its bodies weigh, whoever gave them their masses.
+void WorldBuilder::sumMass(ObjectId robot) {
+  double sum = 0;
+  for (const ObjectId body : world_->members(robot, subset::kBodies)) {
+    const std::optional<double> mass = world_->find(body, kMass);
+    if (!mass || !(*mass >= 0 && *mass < 1e6)) {
+      const ConstantEntry* entry = world_->findEntry(body, kMass.name);
+      diagnostics_.error(entry->where,
+                         fmt::format("mass of {} is {}, expected a number from 0 to 1e6 kg", world_->path(body),
+                                     mass ? fmt::format("{} kg", *mass) : "no number"));
+      return;
+    }
+    sum += *mass;
+  }
+  const bool written = world_->findEntry(robot, kMass.name) != nullptr;
+  if (!written) world_->set(robot, kMass, sum);
+}
+
+/// The ball meets every shape that collides: what then happens must stand in the table.
+void WorldBuilder::checkSurfaces(const RobotModel& model) {
+  const SurfaceTable& table = *world_->findShared(world_->root(), kSurfaceTable);
+  std::vector<std::string> known, missing;
+  for (const SurfacePairSettings& pair : scene_.surfaces) {
+    if (pair.first == kBallSurface) known.push_back(pair.second);
+    if (pair.second == kBallSurface) known.push_back(pair.first);
+  }
+  for (const Body& body : model.tree.bodies) {
+    for (const BodyShape& shape : body.shapes) {
+      const bool told = std::find(missing.begin(), missing.end(), shape.surface) != missing.end();
+      if (!shape.collides || told || table.find(kBallSurface, shape.surface) != nullptr) continue;
+      missing.push_back(shape.surface);
+      diagnostics_.error(shape.where.file.empty() ? model.where : shape.where,
+                         fmt::format("surface \"{0}\" of {1} has no pair with the {2}'s, expected one of {3}, or "
+                                     "[surfaces.{2}-{0}] in the scenario{4}",
+                                     shape.surface, body.name, kBallSurface, fmt::join(known, ", "),
+                                     didYouMean(shape.surface, known)));
+    }
   }
 }
 
@@ -88,40 +140,44 @@ void WorldBuilder::addBall() {
   world_->set(ball, kMass, *scene_.ball.mass, scene_.ball.mass.where);
   world_->set(ball, kInertiaFactor, *scene_.ball.inertia_factor, scene_.ball.inertia_factor.where);
   world_->set(ball, kBallRadius, radius, scene_.ball.radius.where);
-  world_->set(ball, kShapes, {{0, Pose{}, makeSphere(radius), *scene_.ball.colour, "ball", true, true}});
+  world_->set(ball, kShapes, {{0, Pose{}, makeSphere(radius), *scene_.ball.colour, kBallSurface, true, true}});
   participants_.free_bodies.push_back(ball);
 }
 
 std::unique_ptr<Simulation> WorldBuilder::link(const ModuleRegistry& registry, const ControlPrograms& programs) {
-  if (diagnostics_.hasErrors()) return nullptr;
   Linker linker(*world_, registry, {*scene_.simulation.frame, *scene_.simulation.lanes});
   linker.alsoKnows({std::string(kMass.name), std::string(kBlockingRadius.name)});
-  for (const RobotSettings& robot : scene_.robots) assignModules(linker, robot, registry);
+  const bool chosen = assignModules(linker, registry);
+  for (Outfit& outfit : outfits_) {
+    chooseCameras(outfit);
+    chooseProgram(outfit, programs);
+  }
   attachFrame(linker, participants_);
-  std::unique_ptr<LinkedWorld> linked = linker.link(diagnostics_);
-  if (linked == nullptr) return nullptr;
-  std::unique_ptr<Simulation> simulation;
-  try {
-    simulation = std::make_unique<Simulation>(world_, std::move(linked), participants_);
-  } catch (const std::invalid_argument& problem) {  // a pair of surfaces that the scenario does not describe
-    diagnostics_.error({scene_.file.string()}, problem.what());
-    return nullptr;
-  }
-  attachControl(*simulation, programs);
-  for (const RobotSettings& robot : scene_.robots) {
-    simulation->interventions().placeRobot(0, world_->find(robot.path()), *robot.pose);
-  }
-  for (const ObjectId ball : participants_.free_bodies) {
-    const Vector3 lowest = *scene_.ball.position;
-    simulation->interventions().placeBody(0, ball, {lowest.x, lowest.y, lowest.z + *scene_.ball.radius});
-  }
-  return diagnostics_.hasErrors() ? nullptr : std::move(simulation);
+  // Where a choice is wrong already, the linker would only complain of what is missing then.
+  std::unique_ptr<LinkedWorld> linked = chosen ? linker.link(diagnostics_) : nullptr;
+  if (diagnostics_.hasErrors() || linked == nullptr) return nullptr;
+  auto simulation = std::make_unique<Simulation>(world_, std::move(linked), participants_);
+  attachControl(*simulation);
+  placeAll(*simulation);
+  return simulation;
 }
 
-void WorldBuilder::assignModules(Linker& linker, const RobotSettings& robot, const ModuleRegistry& registry) {
-  for (Assignment& assignment : modulesOf(robot, registry, diagnostics_)) {
-    assignment.assembly = world_->find(robot.path());
-    linker.assign(std::move(assignment));
+bool WorldBuilder::assignModules(Linker& linker, const ModuleRegistry& registry) {
+  const int before = diagnostics_.errorCount();
+  for (const Outfit& outfit : outfits_) {
+    for (Assignment& assignment : modulesOf(*outfit.robot, registry, diagnostics_)) {
+      assignment.assembly = outfit.id;
+      linker.assign(std::move(assignment));
+    }
+  }
+  return diagnostics_.errorCount() == before;
+}
+
+void WorldBuilder::placeAll(Simulation& simulation) const {
+  for (const Outfit& outfit : outfits_) simulation.interventions().placeRobot(0, outfit.id, *outfit.robot->pose);
+  for (const ObjectId ball : participants_.free_bodies) {
+    const Vector3 lowest = *scene_.ball.position;
+    simulation.interventions().placeBody(0, ball, {lowest.x, lowest.y, lowest.z + *scene_.ball.radius});
   }
 }
 
@@ -144,7 +200,8 @@ client::RobotDescription WorldBuilder::describe(const RobotSettings& robot) cons
     std::copy(camera.kc.begin(), camera.kc.end(), c.kc);
     c.body = model.tree.bodies[static_cast<std::size_t>(camera.body)].name;
     c.X_BC = camera.X_BC;
-    c.period = camera.period;
+    Diagnostics told_already;
+    c.period = cameraChoice(robot, camera, *scene_.simulation.control_period, told_already).settings.period;
   }
   d.field = fieldDescription(scene_);
   const bool plus = *(robot.team == "red" ? scene_.red : scene_.blue).attacks_positive_x;

@@ -7,12 +7,16 @@
 ///     auto simulation = builder.link(allModules(), programs);
 ///
 /// Errors are collected; link() returns null when there is one. The Scene is not needed afterwards.
+/// Masses of a robot's bodies that the scenario changes change the robot's mass, unless that is written as well.
 
 #include <functional>
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "murosimf/scene/module_choice.h"
 #include "murosimf/scene/robot_builder.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/simulation/simulation.h"
@@ -35,23 +39,36 @@ class WorldBuilder {
   client::RobotDescription describe(const RobotSettings& robot) const;
 
  private:
+  /// A robot of the scenario whose file could be read, with what was chosen for it.
+  struct Outfit {
+    const RobotSettings* robot = nullptr;
+    const RobotModel* model = nullptr;
+    ObjectId id;
+    std::vector<CameraChoice> cameras;                  // as in the model
+    std::vector<std::shared_ptr<const RayTable>> rays;  // same; null: that camera is off
+    std::function<std::unique_ptr<client::ControlSoftware>()> program;
+  };
   const RobotBlueprint* blueprint(const RobotSettings& robot);
   void addRobots();
   void addBall();
   void addSurfaces();
   void setProperty(const RobotSettings& robot, const NamedValue& property);
-  void assignModules(Linker& linker, const RobotSettings& robot, const ModuleRegistry& registry);
-  std::vector<std::unique_ptr<RobotCamera>> makeCameras(const Simulation& simulation, const RobotSettings& robot);
-  std::unique_ptr<client::ControlSoftware> makeProgram(const RobotSettings& robot, const ControlPrograms& programs);
-  void attachControl(Simulation& simulation, const ControlPrograms& programs);
-  std::shared_ptr<const RayTable> raysOf(const CameraModel& lens, const SourceLocation& where);
+  void sumMass(ObjectId robot);
+  void checkSurfaces(const RobotModel& model);
+  bool assignModules(Linker& linker, const ModuleRegistry& registry);
+  void chooseCameras(Outfit& outfit);
+  void chooseProgram(Outfit& outfit, const ControlPrograms& programs);
+  void attachControl(Simulation& simulation) const;
+  void placeAll(Simulation& simulation) const;
+  std::shared_ptr<const RayTable> raysOf(const CameraMount& mount, const CameraModel& lens);
 
   const Scene& scene_;
   Diagnostics& diagnostics_;
   std::shared_ptr<World> world_;
   Participants participants_;
   std::map<std::string, std::unique_ptr<RobotBlueprint>> blueprints_;
-  std::vector<std::shared_ptr<const RayTable>> rays_;
+  std::vector<Outfit> outfits_;
+  std::vector<std::pair<CameraModel, std::shared_ptr<const RayTable>>> rays_;  // null: the lens is impossible
 };
 
 /// The colour of the marks that a team's robots wear.

@@ -1,10 +1,18 @@
 #include "murosimf/simulation/interventions.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 #include "murosimf/world/vocabulary.h"
 
 namespace murosimf {
+
+namespace {
+constexpr std::size_t kUsualRequests = 64;  // at once: a kick-off places everybody
+}  // namespace
 
 const OutsideAccess& InterventionQueue::robotAccess() {
   static const OutsideAccess access([](Declaration& d) {
@@ -14,8 +22,37 @@ const OutsideAccess& InterventionQueue::robotAccess() {
   return access;
 }
 
+InterventionQueue::InterventionQueue(const World& world, LinkedWorld& linked, PairPhase& pairs,
+                                     const std::vector<ObjectId>& robots, const std::vector<ObjectId>& free_bodies)
+    : world_(world), pairs_(pairs), free_bodies_(free_bodies) {
+  for (const ObjectId id : robots) {
+    robots_.push_back({id, linked.handle(id, kPlacement), linked.handle(id, kPlacementCount)});
+  }
+  waiting_.reserve(kUsualRequests);
+}
+
 void InterventionQueue::request(long frame, const Intervention& intervention) {
-  waiting_.push_back({frame, intervention});
+  check(intervention);
+  const Logged entry{frame, intervention};
+  const auto before = [&](const Logged& a, const Logged& b) {
+    if (a.frame != b.frame) return a.frame < b.frame;
+    return world_.path(a.intervention.object) < world_.path(b.intervention.object);
+  };
+  waiting_.insert(std::upper_bound(waiting_.begin(), waiting_.end(), entry, before), entry);
+}
+
+/// Nothing that is not a number gets into physics, and nothing waits for an object that cannot be placed.
+void InterventionQueue::check(const Intervention& i) const {
+  const double sum = i.pose.x + i.pose.y + i.pose.heading + i.height + i.velocity.x + i.velocity.y + i.velocity.z;
+  if (!std::isfinite(sum)) {
+    throw std::invalid_argument(
+        fmt::format("{} cannot be placed there: a number is not finite", world_.path(i.object)));
+  }
+  const bool known =
+      i.kind == Intervention::Kind::kPlaceBody
+          ? std::find(free_bodies_.begin(), free_bodies_.end(), i.object) != free_bodies_.end()
+          : std::any_of(robots_.begin(), robots_.end(), [&](const Robot& robot) { return robot.object == i.object; });
+  if (!known) throw std::invalid_argument("an intervention places an object that is no robot or free body");
 }
 
 void InterventionQueue::placeRobot(long frame, ObjectId robot, const PlanarPose& pose) {
@@ -27,11 +64,6 @@ void InterventionQueue::placeBody(long frame, ObjectId body, const Vector3& posi
 }
 
 void InterventionQueue::apply(long frame) {
-  if (waiting_.empty()) return;
-  std::stable_sort(waiting_.begin(), waiting_.end(), [&](const Logged& a, const Logged& b) {
-    if (a.frame != b.frame) return a.frame < b.frame;
-    return world_.path(a.intervention.object) < world_.path(b.intervention.object);
-  });
   std::size_t done = 0;
   for (; done < waiting_.size() && waiting_[done].frame <= frame; ++done) {
     act(waiting_[done].intervention);
@@ -46,10 +78,11 @@ void InterventionQueue::act(const Intervention& i) {
     pairs_.placeBody(i.object, X_WB, i.velocity);
     return;
   }
-  Handle<PlanarPose> placement = linked_.handle(i.object, kPlacement);
-  Handle<double> count = linked_.handle(i.object, kPlacementCount);
-  placement.set(i.pose);
-  count.set(count.get() + 1);
+  for (Robot& robot : robots_) {
+    if (robot.object != i.object) continue;
+    robot.placement.set(i.pose);
+    robot.count.set(robot.count.get() + 1);
+  }
 }
 
 }  // namespace murosimf

@@ -29,10 +29,12 @@ class InterventionQueue {
   /// What it gives to robots: attach this when linking.
   static const OutsideAccess& robotAccess();
 
-  InterventionQueue(const World& world, LinkedWorld& linked, PairPhase& pairs)
-      : world_(world), linked_(linked), pairs_(pairs) {}
+  /// World and pair phase must live longer.
+  InterventionQueue(const World& world, LinkedWorld& linked, PairPhase& pairs, const std::vector<ObjectId>& robots,
+                    const std::vector<ObjectId>& free_bodies);
 
   /// Acts at the beginning of this frame, or of the next one that begins.
+  /// @throws std::invalid_argument when a number is not finite, or for an object that cannot be placed
   void request(long frame, const Intervention& intervention);
   void placeRobot(long frame, ObjectId robot, const PlanarPose& pose);
   void placeBody(long frame, ObjectId body, const Vector3& position, const Vector3& velocity = {});
@@ -48,12 +50,19 @@ class InterventionQueue {
   void archive(StateArchive& archive) { archive(waiting_); }
 
  private:
+  struct Robot {
+    ObjectId object;
+    Handle<PlanarPose> placement;
+    Handle<double> count;
+  };
+  void check(const Intervention& intervention) const;
   void act(const Intervention& intervention);
 
   const World& world_;
-  LinkedWorld& linked_;
   PairPhase& pairs_;
-  std::vector<Logged> waiting_, log_;
+  std::vector<Robot> robots_;
+  std::vector<ObjectId> free_bodies_;
+  std::vector<Logged> waiting_, log_;  // waiting_ in the order in which they act
 };
 
 }  // namespace murosimf

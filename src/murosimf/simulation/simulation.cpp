@@ -23,7 +23,7 @@ Simulation::Simulation(std::shared_ptr<const World> world, std::unique_ptr<Linke
       pairs_(*world_, *linked_, participants_.free_bodies, participants_.robots, participants_.fixed),
       blocking_(*world_, *linked_, participants_.robots, participants_.fixed),
       view_(*world_, *linked_, participants_.robots, participants_.free_bodies, participants_.fixed),
-      interventions_(*world_, *linked_, pairs_),
+      interventions_(*world_, *linked_, pairs_, participants_.robots, participants_.free_bodies),
       step_memory_(linked_->stepMemorySize()) {}
 
 Simulation::~Simulation() = default;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "murosimf/math/random.h"
@@ -11,8 +13,14 @@ namespace murosimf {
 
 namespace {
 
-constexpr double kRobotReach = 0.8;  // [m] from a robot's base to the farthest point of its bodies
+constexpr double kMargin = 0.02;  // [m] that bodies may come nearer within a frame besides the free body's own way
 constexpr std::string_view kGroundSurface = "turf";
+
+SurfacePair pairOf(const World& world, const std::string& a, std::string_view b) {
+  const SurfacePair* pair = world.findShared(world.root(), kSurfaceTable)->find(a, b);
+  if (pair == nullptr) throw std::invalid_argument(fmt::format("no surface pair of {} and {}", a, b));
+  return *pair;
+}
 
 }  // namespace
 
@@ -48,14 +56,18 @@ PairPhase::PairPhase(const World& world, LinkedWorld& linked, std::vector<Object
                        world.findShared(id, kShapes)->front().surface});
   }
   for (const Moving& body : moving_) {
-    const SurfacePair* pair = world.findShared(world.root(), kSurfaceTable)->find(body.surface, kGroundSurface);
-    if (pair == nullptr) {
-      throw std::invalid_argument(fmt::format("no surface pair of {} and {}", body.surface, kGroundSurface));
+    ground_.push_back(pairOf(world, body.surface, kGroundSurface));
+    for (const Moving& other : moving_) {
+      if (&other < &body) between_.push_back(pairOf(world, body.surface, other.surface));
     }
-    ground_.push_back(*pair);
   }
   for (const ObjectId id : robots) {
-    robots_.push_back({id, BodyPath(linked, id), *world.find(id, kMass), obstaclesOf(world, id)});
+    Robot& robot = robots_.emplace_back();
+    robot.object = id;
+    robot.path = BodyPath(linked, id);
+    robot.mass = *world.find(id, kMass);
+    robot.shapes = obstaclesOf(world, id);
+    robot.reach = reachOf(world, robot);
   }
   for (const ObjectId id : fixed) {
     for (Obstacle& obstacle : obstaclesOf(world, id)) {
@@ -63,18 +75,43 @@ PairPhase::PairPhase(const World& world, LinkedWorld& linked, std::vector<Object
       fixed_.push_back(std::move(obstacle));
     }
   }
-  solver_.reserve(static_cast<int>(moving_.size()), static_cast<int>(32 * moving_.size()));
+  reserve();
+}
+
+/// A frame never needs more than this, so that none allocates.
+void PairPhase::reserve() {
+  std::size_t others = 1 + fixed_.size();
+  for (const Robot& robot : robots_) others += robot.shapes.size();
+  const std::size_t partners = moving_.size() * others, pairs = partners + between_.size();
+  frame_.bodies.reserve(moving_.size());
+  frame_.partners.reserve(partners);
+  frame_.pairs.reserve(pairs);
+  partner_objects_.reserve(partners);
+  touches_.reserve(partners);
+  solver_.reserve(static_cast<int>(moving_.size()), static_cast<int>(pairs));
+}
+
+/// How far a robot's shapes can get from its base: its chains stretched out, whatever its joints do.
+double PairPhase::reachOf(const World& world, const Robot& robot) {
+  const TreeTable* tree = world.findShared(robot.object, kTree);
+  std::vector<double> rows(1, 0.0);
+  for (std::size_t i = 1; tree != nullptr && i < tree->rows.size(); ++i) {
+    const TreeRow& row = tree->rows[i];
+    if (row.kind != JointKind::kRevolute) return std::numeric_limits<double>::infinity();
+    rows.push_back(rows[static_cast<std::size_t>(row.parent)] + norm(row.X_PF.translation));
+  }
+  double reach = 0;
+  for (const Obstacle& o : robot.shapes) {
+    const auto row = static_cast<std::size_t>(o.row);
+    if (row >= rows.size()) return std::numeric_limits<double>::infinity();
+    reach = std::max(reach, rows[row] + norm(o.X_PS.translation) + o.reach);
+  }
+  return reach;
 }
 
 std::vector<SurfacePair> PairPhase::surfacesWith(const World& world, const std::string& surface) const {
   std::vector<SurfacePair> pairs;
-  for (const Moving& body : moving_) {
-    const SurfacePair* pair = world.findShared(world.root(), kSurfaceTable)->find(body.surface, surface);
-    if (pair == nullptr) {
-      throw std::invalid_argument(fmt::format("no surface pair of {} and {}", body.surface, surface));
-    }
-    pairs.push_back(*pair);
-  }
+  for (const Moving& body : moving_) pairs.push_back(pairOf(world, body.surface, surface));
   return pairs;
 }
 
@@ -103,19 +140,11 @@ void PairPhase::advance(long frame, double dt) {
     body.X_WB = m.pose.get();
     body.velocity = m.velocity.get();
     body.angular_velocity = m.rate.get();
-    const double reach = m.radius + norm(body.velocity) * dt + 0.02;
+    const double reach = m.radius + norm(body.velocity) * dt + kMargin;
     addGround(i);
     addFixed(i, reach);
     for (const Robot& robot : robots_) addRobot(i, robot, reach, frame);
-    for (std::size_t k = 0; k < i; ++k) {
-      SpherePair& pair = frame_.pairs.emplace_back();
-      pair.key = {m.name, moving_[k].name, 0, 0, 0};
-      pair.body = static_cast<int>(i);
-      pair.radius = m.radius;
-      pair.other_body = static_cast<int>(k);
-      pair.shape = makeSphere(moving_[k].radius);
-      pair.surface = ground_[i];
-    }
+    for (std::size_t k = 0; k < i; ++k) addBodies(i, k);
   }
   solver_.advance(frame_, dt);
   for (std::size_t i = 0; i < moving_.size(); ++i) {
@@ -129,6 +158,17 @@ void PairPhase::advance(long frame, double dt) {
     touches_.push_back({moving_[static_cast<std::size_t>(pair.body)].object,
                         partner_objects_[static_cast<std::size_t>(pair.partner)]});
   }
+}
+
+void PairPhase::addBodies(std::size_t body, std::size_t other) {
+  const Moving& m = moving_[body];
+  SpherePair& pair = frame_.pairs.emplace_back();
+  pair.key = {m.name, moving_[other].name, 0, 0, 0};
+  pair.body = static_cast<int>(body);
+  pair.radius = m.radius;
+  pair.other_body = static_cast<int>(other);
+  pair.shape = makeSphere(moving_[other].radius);
+  pair.surface = between_[body * (body - 1) / 2 + other];
 }
 
 void PairPhase::addGround(std::size_t body) {
@@ -158,7 +198,7 @@ void PairPhase::addFixed(std::size_t body, double reach) {
 void PairPhase::addRobot(std::size_t body, const Robot& robot, double reach, long frame) {
   const Vector3 centre = frame_.bodies[body].X_WB.translation;
   const double begin = robot.path.shareAt(frame), end = robot.path.shareAfter(frame);
-  const double far = reach + kRobotReach;
+  const double far = reach + robot.reach;
   if (squaredNorm(robot.path.position(0, end) - centre) > far * far) return;
   for (const Obstacle& obstacle : robot.shapes) {
     const double near = reach + obstacle.reach + norm(obstacle.X_PS.translation);

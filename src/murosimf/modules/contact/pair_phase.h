@@ -34,12 +34,13 @@ class PairPhase {
 
   /// Moves the free bodies over this frame. Robots' paths must have been prescribed.
   void advance(long frame, double dt);
-  /// Handles of the first free body with this object; for those who place or watch it.
+  /// Puts a free body somewhere, not turning.
   void placeBody(ObjectId body, const Pose& X_WB, const Vector3& velocity);
-  /// True when this body and an object touched in the last frame: names as in lastTouch().
+  /// A free body and what it touched: a robot, something fixed, or (invalid) the ground.
   struct Touch {
     ObjectId body, partner;
   };
+  /// Those of the last frame.
   const std::vector<Touch>& touches() const { return touches_; }
 
   void archive(StateArchive& archive);
@@ -66,13 +67,16 @@ class PairPhase {
   struct Robot {
     ObjectId object;
     BodyPath path;
-    double mass;
+    double mass = 0, reach = 0;  // [kg]; from its base [m]
     std::vector<Obstacle> shapes;
   };
 
   std::vector<Obstacle> obstaclesOf(const World& world, ObjectId object) const;
   std::vector<SurfacePair> surfacesWith(const World& world, const std::string& surface) const;
+  static double reachOf(const World& world, const Robot& robot);
+  void reserve();
   void addGround(std::size_t body);
+  void addBodies(std::size_t body, std::size_t other);
   void addFixed(std::size_t body, double reach);
   void addRobot(std::size_t body, const Robot& robot, double reach, long frame);
   void addPair(std::size_t body, const Obstacle& obstacle, int partner);
@@ -81,7 +85,8 @@ class PairPhase {
   std::vector<Robot> robots_;
   std::vector<Obstacle> fixed_;
   std::vector<Pose> fixed_poses_;
-  std::vector<SurfacePair> ground_;  // per free body
+  std::vector<SurfacePair> ground_;   // per free body
+  std::vector<SurfacePair> between_;  // of free bodies: (1, 0), (2, 0), (2, 1), (3, 0) ...
   PairSolver solver_;
   FrameContacts frame_;
   std::vector<ObjectId> partner_objects_;
