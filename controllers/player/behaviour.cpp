@@ -12,6 +12,7 @@ constexpr double kMovedDistance = 0.2;  // a ball this far from where it lay has
 constexpr double kSweepTime = 1.5, kTurnTime = 11.0, kTurnRate = 0.65;  // search [s], [s], [rad/s]
 constexpr double kStepBackTime = 4.0;                                   // [s]
 constexpr double kStayBonus = 1.0;  // who is on the way to the ball keeps going unless a mate is this much faster [s]
+constexpr double kHeadStart = 0.25, kLongestBlock = 6.0;  // [m], [s]
 constexpr double kNoCost = 1e9;
 constexpr double kLostDeviation = 0.5;  // of the own position: time to look for landmarks [m]
 
@@ -113,6 +114,7 @@ Decision Behaviour::search(const Situation& now) {
 Decision Behaviour::play(const Situation& now, const BallPlace& ball) {
   attacks_ = goesToBall(now, ball);
   if (attacks_) {
+    if (leavesBallToOpponent(now)) return keepPlace(now, blockPlace(pitch_, ball.p_F), ball.p_F, "block");
     at_place_ = false;
     return attack(now, ball);
   }
@@ -120,6 +122,22 @@ Decision Behaviour::play(const Situation& now, const BallPlace& ball) {
   if (now.role == Role::kKeeper) return keepPlace(now, keeperPlace(pitch_, ball.p_F), ball.p_F, "keep");
   const Point own{now.X_FR.x, now.X_FR.y};
   return keepPlace(now, supportPlace(pitch_, now.role, ball.p_F, own), ball.p_F, "support");
+}
+
+/// An opponent who is at the ball first will kick it. Running into him makes a knot of feet out of which no ball comes;
+/// standing in his way at some distance stops the kick or turns it aside. After a while somebody must go, though.
+bool Behaviour::leavesBallToOpponent(const Situation& now) {
+  bool there = false;
+  const double own = norm(now.ball_R);
+  for (const Point& robot_R : now.robots_R) {
+    const bool mate = std::any_of(now.mates.begin(), now.mates.end(), [&](const client::TeamMessage& m) {
+      return norm(transformedBack(now.X_FR, {m.pose.x, m.pose.y}) - robot_R) < 0.35;
+    });
+    const double gap = norm(robot_R - now.ball_R);
+    there = there || (!mate && gap < 0.4 && gap + kHeadStart < own);
+  }
+  left_for_ = there && now.ball_known && norm(now.ball_velocity_R) < 0.2 ? left_for_ + now.dt : 0.0;
+  return there && now.ball_known && left_for_ < kLongestBlock;
 }
 
 Decision Behaviour::attack(const Situation& now, const BallPlace& ball) {
@@ -169,7 +187,7 @@ HeadRequest Behaviour::headRequest(const Situation& now, HeadRequest::Kind kind,
 
 void Behaviour::archive(client::StateArchive& archive) {
   archive(approach_, phase_, waits_, waited_, waits_saw_ball_, waits_ball_R_, attacks_, at_place_, searched_,
-          last_side_, last_near_, landmark_, cost_);
+          last_side_, left_for_, last_near_, landmark_, cost_);
 }
 
 }  // namespace murosimf::controllers

@@ -7,10 +7,10 @@ namespace murosimf::controllers {
 
 namespace {
 
-constexpr double kArc = 0.40;                        // the keeper's distance from the goal's centre [m]
-constexpr double kLineDistance = 0.15;               // at least this far before the goal line [m]
-constexpr double kZoneDepth = 0.9, kZoneSide = 0.3;  // keeper's zone: depth, beyond the posts [m]
-constexpr double kDistance = 0.7;                    // of supporters from the ball [m]
+constexpr double kArc = 0.40;                         // the keeper's distance from the goal's centre [m]
+constexpr double kLineDistance = 0.15;                // at least this far before the goal line [m]
+constexpr double kZoneDepth = 0.55, kZoneSide = 0.3;  // keeper's zone: depth, beyond the posts [m]
+constexpr double kDistance = 0.7;                     // of supporters from the ball [m]
 
 /// p, moved away from the ball to the distance that leaves it to the team mate there.
 Point apartFromBall(const Point& p, const Point& ball_F) {
@@ -50,6 +50,12 @@ Point keeperPlace(const Pitch& pitch, const Point& ball_F) {
   return {std::max(p.x, -pitch.half_length + kLineDistance), clamp(p.y, -side, side)};
 }
 
+Point blockPlace(const Pitch& pitch, const Point& ball_F) {
+  const Point to_goal = pitch.ownGoal() - ball_F;
+  const double distance = std::max(0.1, norm(to_goal));
+  return ball_F + (std::min(kDistance, 0.5 * distance) / distance) * to_goal;
+}
+
 bool inKeeperZone(const Pitch& pitch, const Point& ball_F, double margin) {
   return ball_F.x < -pitch.half_length + kZoneDepth + margin &&
          std::fabs(ball_F.y) < pitch.half_goal + kZoneSide + margin;
@@ -64,9 +70,9 @@ Point supportPlace(const Pitch& pitch, Role role, const Point& ball_F, const Poi
     const Point before_goal{std::max(p.x, -pitch.half_length + 0.75), p.y};  // leaves the goal to the keeper
     return apartFromBall(inside(pitch, apartFromBall(before_goal, ball_F)), ball_F);
   }
-  // The side on which the robot is already, unless the ball is clearly on that side.
+  // Where a kick ends, on the side on which the robot is already, unless the ball is clearly on that side.
   const double side = std::fabs(ball_F.y) > 0.3 ? (ball_F.y > 0 ? -1.0 : 1.0) : (own_F.y > 0 ? 1.0 : -1.0);
-  return apartFromBall(inside(pitch, {ball_F.x + 0.45, ball_F.y + side * 0.9}), ball_F);
+  return apartFromBall(inside(pitch, {ball_F.x + 1.3, 0.5 * ball_F.y + side * 0.5}), ball_F);
 }
 
 }  // namespace murosimf::controllers

@@ -12,11 +12,14 @@ Point homePlace(const Pitch& pitch, Role role);
 /// Between ball and goal, on an arc before the goal: from there the goal looks narrowest to the ball.
 Point keeperPlace(const Pitch& pitch, const Point& ball_F);
 
+/// In the way of an opponent's kick, far enough from the ball to stop what comes.
+Point blockPlace(const Pitch& pitch, const Point& ball_F);
+
 /// Is the ball near enough to the own goal that the keeper clears it? `margin` [m] widens the zone.
 bool inKeeperZone(const Pitch& pitch, const Point& ball_F, double margin);
 
 /// Where a field player stands while a team mate plays the ball: the defender behind the ball on the way to the own
-/// goal, the striker beside the way to the goal attacked, for the rebound. Never within .7 m of the ball.
+/// goal, the striker where a kick towards the goal attacked ends. Never within .7 m of the ball.
 Point supportPlace(const Pitch& pitch, Role role, const Point& ball_F, const Point& own_F);
 
 }  // namespace murosimf::controllers

@@ -65,6 +65,8 @@ ToyGame::ToyGame(const std::vector<Entry>& entries, const Point& ball) {
     robots_.push_back(std::move(robot));
   }
   ball_.p = ball;
+  kickOff(0);
+  wait_ = 0, ball_.p = ball;
 }
 
 PlanarPose ToyGame::pose(std::size_t i) const { return robots_[i]->puppet.pose(); }
