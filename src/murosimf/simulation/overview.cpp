@@ -61,7 +61,8 @@ void drawTags(const OverviewShot& shot, const CameraModel& camera, const Pose& X
   for (const Tag& tag : shot.tags) {
     const auto place = projectPoint(camera, applyInverse(X_WC, tag.p_W));
     if (!place || !isInPicture(camera, *place)) continue;
-    canvas.label({place->u - 0.5 * Canvas::textWidth(tag.text, scale), place->v}, tag.text, tag.colour, scale);
+    canvas.label({place->u - 0.5 * Canvas::textWidth(tag.text, scale), place->v - Canvas::textHeight(scale)}, tag.text,
+                 tag.colour, scale);
   }
 }
 
