@@ -1,6 +1,8 @@
 # One executable and one ctest entry a folder of tests/. tests/<layer> is linked with that layer alone (and so with
 # those below), tests/controllers with the control software and with algorithms/ (its ray caster draws pictures for the
 # vision; the control software itself sees neither), every other folder (tests/game, tests/apps, ...) with everything.
+# tests/modules and tests/simulation move the robots of robots/ by the reference gait, so they see scene/ and the control
+# software too. Files *_v4.cpp are compiled for AVX-512 and must include nothing but math/ and plain declarations.
 # Files *_slow.cpp make test_<folder>_slow, labelled `slow`: `make check-all` runs them, `make test` does not. Tests run
 # in the source tree's root; MUROSIMF_SOURCE_DIR is that root.
 set(MUROSIMF_TEST_TIMEOUT 240 CACHE STRING "Seconds that one test executable may take")
@@ -8,11 +10,18 @@ set(MUROSIMF_TEST_TIMEOUT 240 CACHE STRING "Seconds that one test executable may
 function(murosimf_test name folder)
   add_executable(${name} ${ARGN})
   murosimf_flags(${name})
+  foreach(file IN LISTS ARGN)
+    if(file MATCHES "_v4\\.cpp$")
+      set_source_files_properties(${file} PROPERTIES COMPILE_OPTIONS "-march=x86-64-v4;-DMUROSIMF_ISA=isa_v4")
+    endif()
+  endforeach()
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
   target_compile_definitions(${name} PRIVATE "MUROSIMF_SOURCE_DIR=\"${PROJECT_SOURCE_DIR}\"")
   target_link_libraries(${name} PRIVATE GTest::gtest_main rapidcheck Threads::Threads)
   if(folder STREQUAL "controllers")
     target_link_libraries(${name} PRIVATE murosimf_controllers murosimf_algorithms)
+  elseif(folder STREQUAL "modules" OR folder STREQUAL "simulation")
+    target_link_libraries(${name} PRIVATE murosimf_scene murosimf_controllers)
   elseif(TARGET murosimf_${folder})
     target_link_libraries(${name} PRIVATE murosimf_${folder})
   else()

@@ -36,6 +36,7 @@ template <class S = double>
 struct StanceMemory {
   S anchor_x, anchor_y, anchor_heading;   ///< stance sole in the ground plane
   S armed;                                ///< 1: the swing sole has been above eps since the last exchange
+  S floor;                                ///< clearance after the last exchange while not armed, <= 0 [m]
   Vec3<S> residual_turn, residual_shift;  ///< what flattening took away at the last exchange, world axes
   S residual_left;                        ///< share of it still shown, 1 to 0
   S height_rate;                          ///< of the base [m/s]
@@ -82,22 +83,42 @@ inline Roles<S> rolesOf(const KinematicWalkingArguments& a, const SolePair<S>& p
   return r;
 }
 
-/// Fraction of the step at which the swing sole touches: bisection of the clearance on the straight joint path.
+/// The legs' joints at u of the straight path over the step; at the step's end exactly.
 template <class S>
-inline S touchDown(const KinematicWalkingArguments& a, const S* q_last, const S* q, S* q_between, S stance) {
-  const auto clearanceAt = [&](S u) {
-    for (int j = 0; j < a.joints; ++j) q_between[j] = fma(u, q[j] - q_last[j], q_last[j]);
-    return rolesOf(a, soles(a, q_between), stance).clearance;
-  };
-  const auto touched_before = clearanceAt(S(0)) <= S(0);
-  S low(0), high(1);
-  for (int i = 0; i < 40; ++i) {
-    const S middle = (low + high) * S(0.5);
-    const auto above = clearanceAt(middle) > S(0);
-    low = select(above, middle, low);
-    high = select(above, high, middle);
+inline void legsBetween(const KinematicWalkingArguments& a, const S* q_last, const S* q, S u, S* q_between) {
+  for (const SoleChain& chain : a.sole) {
+    for (int i = 0; i < chain.length; ++i) {
+      const int j = chain.rows[i] - 1;
+      q_between[j] = select(u < S(1), fma(u, q[j] - q_last[j], q_last[j]), q[j]);
+    }
   }
-  return select(touched_before, S(1), high);
+}
+
+/// Where in the step the swing sole takes over, for lanes of `mask`: u with c(u) = 0 on the straight joint path, found
+/// by false position with the Illinois rule [Dowell, Jarratt 1971] from c(0) = before and c(1) = after; 0 where the
+/// sole was down already and now pushes. A lane that has found it is left alone, so that it does not matter what its
+/// neighbours do.
+template <class S, class Truth>
+inline S touchDown(const KinematicWalkingArguments& a, const S* q_last, const S* q, S* q_between, S stance, S before,
+                   S after, Truth mask) {
+  constexpr int kMostSteps = 40;
+  constexpr double kTolerance = 1e-13;  // [m]
+  S low(0), high(1), c_low = before, c_high = after, u = select(before > S(0), S(1), S(0)), side(0);
+  auto open = mask & (before > S(0)) & (after < S(-kTolerance));
+  for (int i = 0; i < kMostSteps && any(open); ++i) {
+    u = select(open, fma(high - low, c_low / select(open, c_low - c_high, S(1)), low), u);
+    legsBetween(a, q_last, q, u, q_between);
+    const S c = rolesOf(a, soles(a, q_between), stance).clearance;
+    const auto above = c > S(0);
+    // An end that stays a second time counts half, so that both ends come to the root.
+    c_high = select(above, select(side > S(0), S(0.5) * c_high, c_high), c);
+    c_low = select(above, c, select(side < S(0), S(0.5) * c_low, c_low));
+    low = select(above, u, low);
+    high = select(above, high, u);
+    side = select(above, S(1), S(-1));
+    open = open & (abs(c) > S(kTolerance));
+  }
+  return u;
 }
 
 template <class S>
@@ -192,15 +213,18 @@ void kinematicWalking(const KinematicWalkingArguments& a, const BlockMemory& blo
 
   const SolePair<S> pair = soles(a, q);
   Roles<S> roles = rolesOf(a, pair, stance);
-  const auto lands = ((roles.clearance <= S(0)) & (m.armed > S(0.5))) | (roles.clearance < S(-a.hysteresis));
+  const S eps(a.hysteresis);
+  const auto lands = ((roles.clearance <= S(0)) & (m.armed > S(0.5))) | (roles.clearance < m.floor - eps);
   const auto exchange = lands & (!placed);
   if (any(exchange)) {
-    const S u = touchDown(a, q_last, q, q_between, stance);
-    for (int j = 0; j < a.joints; ++j) q_between[j] = select(u < S(1), fma(u, q[j] - q_last[j], q_last[j]), q[j]);
+    const S u = touchDown(a, q_last, q, q_between, stance, m.swing_clearance, roles.clearance, exchange);
+    legsBetween(a, q_last, q, u, q_between);
     exchangeRoles(a, m, stance, exchange, q_between);
     roles = rolesOf(a, pair, stance);
   }
-  m.armed = select(roles.clearance > S(a.hysteresis), S(1), m.armed);
+  const auto lifted = roles.clearance > eps;
+  m.armed = select(lifted, S(1), m.armed);
+  m.floor = select(placed | exchange, min(roles.clearance, S(0)), select(lifted, S(0), m.floor));
 
   const Transform<S> X_WB_now = withResidual(m, anchorPose(m) * inverse(roles.X_BStance));
   *X_WB_last = select(placed, X_WB_now, *X_WB);

@@ -1,0 +1,62 @@
+// Servos that do as they are told, as far as their range and speed allow.
+
+#include <gtest/gtest.h>
+
+#include "modules/motion_world.h"
+
+namespace murosimf::motion {
+namespace {
+
+constexpr int kWaist = 0;  // -90 to 90 degrees, 7.12 rad/s
+
+struct Joint {
+  MotionWorld motion{0.01};
+  ObjectId robot;
+  Handle<ServoCommand> commands;
+  Joint() : robot(motion.add("robot", ks21(), std::vector<double>(21, 0.0))) {
+    motion.link();
+    commands = motion.linked().handle(robot, kJointCommand, subset::kJoints);
+  }
+  void run(const ServoCommand& command, int steps) {
+    commands.set(command, kWaist);
+    for (int i = 0; i < steps; ++i) motion.step();
+  }
+  double position() const { return motion.get(robot, kJointPosition, subset::kJoints, kWaist); }
+  double velocity() const { return motion.get(robot, kJointVelocity, subset::kJoints, kWaist); }
+};
+
+TEST(IdealServo, RunsAtItsNoLoadSpeedAndStopsWhereItShould) {
+  Joint joint;
+  joint.run({1.0, 0, 0, 30, 0}, 10);
+  EXPECT_NEAR(joint.position(), 7.12 * 0.1, 1e-12);
+  EXPECT_NEAR(joint.velocity(), 7.12, 1e-12);
+  joint.run({1.0, 0, 0, 30, 0}, 10);
+  EXPECT_EQ(joint.position(), 1.0);
+  EXPECT_EQ(joint.velocity(), 0.0);
+}
+
+TEST(IdealServo, ObeysASpeedLimitBelowItsOwnOnly) {
+  Joint slow, fast;
+  slow.run({-1.0, 0.5, 0, 30, 0}, 10);
+  EXPECT_NEAR(slow.position(), -0.05, 1e-12);
+  fast.run({-1.0, 50, 0, 30, 0}, 10);
+  EXPECT_NEAR(fast.position(), -0.712, 1e-12);
+}
+
+TEST(IdealServo, StaysWithinItsRange) {
+  Joint joint;
+  joint.run({1e300, 0, 0, 30, 0}, 100);
+  EXPECT_NEAR(joint.position(), kPi / 2, 1e-9);
+  joint.run({-1e300, 0, 0, 30, 0}, 100);
+  EXPECT_NEAR(joint.position(), -kPi / 2, 1e-9);
+}
+
+TEST(IdealServo, WithoutGainItKeepsItsPosition) {
+  Joint joint;
+  joint.run({0.3, 0, 0, 30, 0}, 20);
+  joint.run({1.0, 0, 0, 0, 0}, 20);
+  EXPECT_EQ(joint.position(), 0.3);
+}
+
+}  // namespace
+}  // namespace murosimf::motion
