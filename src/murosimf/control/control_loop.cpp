@@ -61,6 +61,8 @@ const client::ControlReport* ControlLoop::report(int robot) const {
   return runner.controlled.program == nullptr ? nullptr : &runner.controlled.program->report();
 }
 
+bool ControlLoop::isBusy(int robot) const { return robots_[static_cast<std::size_t>(robot)]->busy; }
+
 void ControlLoop::applyCommands(long frame) {
   for (auto& runner : robots_) {
     // The frame in which an answer is due waits for it, unless the wall clock sets the pace.

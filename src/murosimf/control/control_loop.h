@@ -80,6 +80,9 @@ class ControlLoop {
   /// What its program believes; null when it has none. Only while no program runs: after finish().
   const client::ControlReport* report(int robot) const;
 
+  /// True while this robot's program runs.
+  bool isBusy(int robot) const;
+
   /// Starts the programs. Call once, before the first frame.
   void start();
   /// Puts commands into force that are due at the beginning of this frame.
