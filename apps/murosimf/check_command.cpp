@@ -31,7 +31,8 @@ int checkFiles(const std::vector<std::string>& files) {
       readUrdf(file, diagnostics);
     } else {
       diagnostics.error({file, 0, 0}, fmt::format("file name ends with \"{}\"; expected .toml (scenario) or .urdf "
-                                                  "(robot)", suffix));
+                                                  "(robot)",
+                                                  suffix));
     }
   }
   fmt::print(stderr, "{}", diagnostics.text());

@@ -8,14 +8,15 @@
 namespace murosimf {
 
 inline constexpr int kFault = 1;       ///< something of ours went wrong
+inline constexpr int kDifferent = 1;   ///< two runs are not the same
 inline constexpr int kWrongInput = 2;  ///< something in what people wrote is wrong
 
 struct RunArguments {
   std::string scenario;
-  std::vector<std::string> overrides;     ///< PATH=VALUE
-  std::string out, record, video;         ///< empty: as the scenario says
-  std::string checkpoint, from;           ///< files; empty: none
-  double checkpoint_time = -1;            ///< [s]; below 0: at the end
+  std::vector<std::string> overrides;  ///< PATH=VALUE
+  std::string out, record, video;      ///< empty: as the scenario says
+  std::string checkpoint, from;        ///< files; empty: none
+  double checkpoint_time = -1;         ///< [s]; below 0: at the end
 };
 
 /// Plays a scenario and writes report, pictures and film.
@@ -25,6 +26,6 @@ int checkFiles(const std::vector<std::string>& files);
 /// Prints modules and properties, or the schedule of a scenario.
 int printModules(const std::string& scenario);
 /// Prints the first difference of two runs; 0 when there is none, 1 when there is one.
-int compareRuns(const std::string& a, const std::string& b);
+int printComparison(const std::string& a, const std::string& b);
 
 }  // namespace murosimf

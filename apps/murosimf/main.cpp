@@ -58,7 +58,7 @@ int run(int argc, char** argv) {
   }
   if (check->parsed()) return checkFiles(files);
   if (modules->parsed()) return printModules(scenario);
-  if (compare->parsed()) return compareRuns(a, b);
+  if (compare->parsed()) return printComparison(a, b);
   return runScenario(run_arguments);
 }
 

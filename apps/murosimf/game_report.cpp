@@ -1,0 +1,117 @@
+#include "murosimf/game_report.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace murosimf {
+
+namespace {
+
+/// JSON has no NaN: what was never measured is null.
+nlohmann::ordered_json number(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+double degrees(double angle) { return angle * 180 / kPi; }
+
+std::string nameOf(const RobotStatistics& robot) {
+  return fmt::format("robots.{}.{}", teamName(robot.team), robot.number);
+}
+
+std::string_view nameOf(MatchEvent::Kind kind) {
+  switch (kind) {
+    case MatchEvent::Kind::kKickoff:
+      return "kick-off";
+    case MatchEvent::Kind::kGoal:
+      return "goal";
+    case MatchEvent::Kind::kTouchLine:
+      return "over the touch line";
+    case MatchEvent::Kind::kGoalLine:
+      return "over the goal line";
+    case MatchEvent::Kind::kStuck:
+      return "stuck";
+    case MatchEvent::Kind::kHalfTime:
+      return "half-time";
+    case MatchEvent::Kind::kFinish:
+      return "end";
+  }
+  return "";
+}
+
+nlohmann::ordered_json robotFigures(const RobotStatistics& robot) {
+  return {{"robot", nameOf(robot)},
+          {"distance_walked", robot.distance_walked},
+          {"kicks", robot.kicks},
+          {"touches", robot.ball.touches},
+          {"shots", robot.ball.shots},
+          {"shots_on_target", robot.ball.shots_on_target},
+          {"saves", robot.ball.saves},
+          {"goals", robot.ball.goals},
+          {"own_goals", robot.ball.own_goals}};
+}
+
+nlohmann::ordered_json teamSums(const MatchResult& result, Team team) {
+  BallCounts sum;
+  for (const RobotStatistics& robot : result.robots) {
+    if (robot.team != team) continue;
+    sum.shots += robot.ball.shots;
+    sum.shots_on_target += robot.ball.shots_on_target;
+    sum.saves += robot.ball.saves;
+    sum.own_goals += robot.ball.own_goals;
+  }
+  return {{"shots", sum.shots},
+          {"shots_on_target", sum.shots_on_target},
+          {"saves", sum.saves},
+          {"own_goals", sum.own_goals}};
+}
+
+nlohmann::ordered_json perceptFigures(const PerceptResult& r, const std::string& robot) {
+  return {{"robot", robot},
+          {"pictures", r.pictures},
+          {"pictures_with_ball", r.pictures_with_ball},
+          {"ball_recall", number(r.recall)},
+          {"ball_precision", number(r.precision)},
+          {"ball_distance_error_median", number(r.distance_error_median)},
+          {"pose_known_share", number(r.valid_share)},
+          {"position_error_median", number(r.position_median)},
+          {"position_error_90", number(r.position_90)},
+          {"heading_error_median_deg", number(degrees(r.heading_median))},
+          {"heading_error_90_deg", number(degrees(r.heading_90))}};
+}
+
+}  // namespace
+
+void addMatch(nlohmann::ordered_json& report, const Referee& referee, const MatchStatistics& statistics) {
+  const MatchResult result = statistics.result();
+  report["score"] = {{"red", referee.score(Team::kRed)}, {"blue", referee.score(Team::kBlue)}};
+  report["goals"] = nlohmann::ordered_json::array();
+  for (const GoalRecord& goal : result.goals) {
+    const bool known = goal.robot >= 0;
+    report["goals"].push_back({{"time", goal.time},
+                               {"team", teamName(goal.team)},
+                               {"by", known ? nameOf(result.robots[static_cast<std::size_t>(goal.robot)]) : ""},
+                               {"own_goal", goal.own_goal},
+                               {"deliberate_kick", goal.deliberate}});
+  }
+  report["teams"] = {{"red", teamSums(result, Team::kRed)}, {"blue", teamSums(result, Team::kBlue)}};
+  report["ball_in_play_share"] = result.in_play_share;
+  for (const RobotStatistics& robot : result.robots) report["robots"].push_back(robotFigures(robot));
+  for (const MatchEvent& event : referee.events()) {
+    report["events"].push_back({{"time", event.time}, {"what", nameOf(event.kind)}, {"team", teamName(event.team)}});
+  }
+}
+
+void addPercepts(nlohmann::ordered_json& report, const PerceptStatistics& statistics, const Simulation& simulation) {
+  report["perception"]["all"] = perceptFigures(statistics.allTogether(), "all");
+  for (const PerceptResult& result : statistics.results()) {
+    report["perception"]["robots"].push_back(perceptFigures(result, simulation.world().path(result.robot)));
+  }
+}
+
+nlohmann::ordered_json paceFigures(const PaceReport& pace) {
+  return {{"frames", pace.frames},       {"deadline_misses", pace.misses}, {"worst_lateness", pace.worst_lateness},
+          {"jitter_50", pace.jitter_50}, {"jitter_90", pace.jitter_90},    {"jitter_99", pace.jitter_99}};
+}
+
+}  // namespace murosimf

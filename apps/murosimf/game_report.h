@@ -1,0 +1,20 @@
+#pragma once
+
+/// @file The game's part of report.json.
+
+#include <nlohmann/json.hpp>
+
+#include "murosimf/simulation/pacer.h"
+#include "murosimf/soccer/match_statistics.h"
+#include "murosimf/soccer/percept_statistics.h"
+#include "murosimf/soccer/referee.h"
+
+namespace murosimf {
+
+/// score {red, blue}, events, goals, shots, saves, own goals, time in play, distance walked per robot.
+void addMatch(nlohmann::ordered_json& report, const Referee& referee, const MatchStatistics& statistics);
+/// Per robot: recall, precision and distance error of the ball, error of the self-localisation.
+void addPercepts(nlohmann::ordered_json& report, const PerceptStatistics& statistics, const Simulation& simulation);
+nlohmann::ordered_json paceFigures(const PaceReport& pace);
+
+}  // namespace murosimf

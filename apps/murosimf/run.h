@@ -1,0 +1,57 @@
+#pragma once
+
+/// @file One run of a scenario with everything that watches it.
+
+#include <filesystem>
+#include <memory>
+
+#include "murosimf/commands.h"
+#include "murosimf/game.h"
+#include "murosimf/report.h"
+#include "murosimf/simulation/film.h"
+#include "murosimf/simulation/pacer.h"
+#include "murosimf/simulation/percept_overlay.h"
+#include "murosimf/simulation/recorder.h"
+#include "murosimf/soccer/match_statistics.h"
+#include "murosimf/soccer/percept_statistics.h"
+#include "murosimf/soccer/referee.h"
+
+namespace murosimf {
+
+class Run {
+ public:
+  /// Builds the world and opens all outputs. Where something is wrong with the input, diagnostics gets errors and the
+  /// run must not be started. @throws std::runtime_error when an output cannot be opened.
+  Run(const RunArguments& arguments, const Scene& scene, Diagnostics& diagnostics);
+
+  /// Plays to the end of the scenario's duration.
+  void play();
+  /// Writes report, pictures and checkpoint. @returns the lines to print
+  std::string finish();
+
+ private:
+  void addObservers();
+  void openFilm();
+  void step();
+  std::string scoreText() const;
+  nlohmann::ordered_json report();
+  std::filesystem::path output(const std::string& file) const;
+
+  RunArguments arguments_;
+  const Scene& scene_;
+  std::unique_ptr<Simulation> simulation_;
+  std::filesystem::path directory_;
+  HashLog hashes_;
+  std::unique_ptr<Referee> referee_;
+  std::unique_ptr<MatchStatistics> match_;
+  std::unique_ptr<PerceptStatistics> percepts_;
+  std::unique_ptr<PerceptKeeper> keeper_;
+  std::unique_ptr<Recorder> recorder_;
+  std::unique_ptr<Film> film_;
+  std::unique_ptr<Pacer> pacer_;
+  double start_time_ = 0;    // simulated [s]
+  double wall_seconds_ = 0;  // of the frames
+  bool checkpoint_saved_ = false;
+};
+
+}  // namespace murosimf
