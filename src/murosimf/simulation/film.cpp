@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace murosimf {
 
@@ -21,18 +22,17 @@ Film::Film(Simulation& simulation, FilmSettings settings)
       overview_(settings_.format.width, settings_.format.height, simulation.view().initialScene().ground),
       video_(settings_.file, settings_.format),
       rate_(settings_.format.pictures_per_second),
-      shots_(std::max<std::size_t>(1, settings_.queue), source_.emptyShot()),
-      start_frame_(simulation.frame()) {
+      shots_(std::max<std::size_t>(1, settings_.queue), source_.emptyShot()) {
   for (OverviewShot& shot : shots_) free_.push_back(&shot);
   thread_ = std::thread([this] { renderShots(); });
 }
 
 Film::~Film() { finish(); }
 
-bool Film::isDue(const Simulation& simulation) const {
-  // Picture k belongs to the end of the frame in which k / rate seconds of film are reached, so rounding never drifts.
-  const double filmed = static_cast<double>(simulation.frame() - start_frame_) * simulation.frameLength();
-  return filmed * static_cast<double>(rate_) + 1e-6 >= static_cast<double>(taken_);
+bool Film::isDue(const Simulation& simulation) {
+  // Picture k belongs to the end of the frame in which k / rate seconds are reached, so rounding never drifts.
+  const auto tick = static_cast<long>(std::floor(simulation.time() * static_cast<double>(rate_) + 1e-6));
+  return std::exchange(last_tick_, tick) != tick;
 }
 
 void Film::afterFrame(Simulation& simulation) {
@@ -40,7 +40,6 @@ void Film::afterFrame(Simulation& simulation) {
   OverviewShot& shot = emptyShot();
   source_.take(shot);
   shot.caption = settings_.caption ? settings_.caption(simulation.time()) : fmt::format("T {:.2f}", simulation.time());
-  ++taken_;
   const std::lock_guard lock(mutex_);
   waiting_.push_back(&shot);
   changed_.notify_all();

@@ -36,7 +36,7 @@ struct FilmReport {
 
 class Film final : public FrameObserver {
  public:
-  /// Starts ffmpeg. The first picture shows the end of the first frame. @throws std::runtime_error as VideoPipe.
+  /// Starts ffmpeg. The first picture shows the end of the next frame. @throws std::runtime_error as VideoPipe.
   Film(Simulation& simulation, FilmSettings settings);
   ~Film() override;
 
@@ -45,7 +45,7 @@ class Film final : public FrameObserver {
   FilmReport finish();
 
  private:
-  bool isDue(const Simulation& simulation) const;
+  bool isDue(const Simulation& simulation);
   OverviewShot& emptyShot();
   void renderShots();
   bool nextShot(OverviewShot*& shot);
@@ -54,16 +54,15 @@ class Film final : public FrameObserver {
   OverviewSource source_;
   Overview overview_;
   VideoPipe video_;
-  long taken_ = 0, rate_;
-  FilmReport report_;  // the frame thread's
-  long pictures_ = 0;  // the film thread's, as the next line
+  long rate_, last_tick_ = -1;  // of pictures: number of the last one since the world began
+  FilmReport report_;           // the frame thread's
+  long pictures_ = 0;           // the film thread's, as the next line
   double render_seconds_ = 0, encode_seconds_ = 0;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<OverviewShot> shots_;
   std::deque<OverviewShot*> free_, waiting_;  // guarded by mutex_, as is ended_
   bool ended_ = false;
-  long start_frame_;
   std::thread thread_;
 };
 

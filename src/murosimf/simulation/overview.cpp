@@ -11,14 +11,15 @@ namespace murosimf {
 
 namespace {
 
-constexpr double kViewAngle = 0.70;   // between left and right edge [rad]: long, for little perspective
-constexpr double kTilt = 0.96;        // of the line of sight below the horizon [rad]
-constexpr double kTallest = 0.6;      // what stands on the far edge: poles [m]
-constexpr double kAboveHead = 0.38;   // of a tag above the base of a robot [m]
-constexpr double kMargin = 0.02;      // of the picture's size
-constexpr int kTextHeightShare = 40;  // letters are 1/40 of the picture's height, and larger
+constexpr double kViewAngle = 0.70;  // between left and right edge [rad]: long, for little perspective
+constexpr double kTilt = 0.96;       // of the line of sight below the horizon [rad]
+constexpr double kTallest = 0.6;     // what stands on the far edge: poles [m]
+constexpr double kAboveHead = 0.38;  // of a tag above the base of a robot [m]
+constexpr double kMargin = 0.02;     // of the picture's size
 
-int textScale(int height) { return std::max(1, height / (kTextHeightShare * 7)); }
+/// Pixels a dot of tags, and of the caption, in a picture of this height.
+int tagScale(int height) { return std::max(1, height / 280); }
+int captionScale(int height) { return std::max(1, (height + 60) / 300); }
 
 /// Where the camera stands when it is this far from what it looks at.
 Pose poseAt(double distance, double target_y) {
@@ -57,7 +58,7 @@ Rgb teamColour(const std::string& path) {
 std::string lastName(const std::string& path) { return path.substr(path.rfind('.') + 1); }
 
 void drawTags(const OverviewShot& shot, const CameraModel& camera, const Pose& X_WC, Canvas& canvas) {
-  const int scale = textScale(camera.height);
+  const int scale = tagScale(camera.height);
   for (const Tag& tag : shot.tags) {
     const auto place = projectPoint(camera, applyInverse(X_WC, tag.p_W));
     if (!place || !isInPicture(camera, *place)) continue;
@@ -71,7 +72,7 @@ void drawTags(const OverviewShot& shot, const CameraModel& camera, const Pose& X
 Pose overviewPose(const CameraModel& camera, const PaintedGround& ground) {
   const std::vector<Vector3> points = outline(ground);
   const double top = kMargin * camera.height;
-  const double bottom = (1 - kMargin) * camera.height - Canvas::captionHeight(textScale(camera.height));
+  const double bottom = (1 - kMargin) * camera.height - Canvas::captionHeight(captionScale(camera.height));
   // The nearest distance at which all fits, the picture's middle of rows kept on the middle of what is seen.
   double target_y = 0, distance = 0.5 * (ground.half_length + ground.half_width);
   for (int step = 0; step < 400; ++step, distance *= 1.02) {
@@ -99,7 +100,7 @@ const Picture& Overview::render(OverviewShot& shot) {
   castPicture(rays_, shot.scene, X_WC_, {}, options, work_, picture_);
   Canvas canvas(picture_);
   drawTags(shot, rays_.camera(), X_WC_, canvas);
-  if (!shot.caption.empty()) canvas.caption(shot.caption, textScale(picture_.height));
+  if (!shot.caption.empty()) canvas.caption(shot.caption, captionScale(picture_.height));
   return picture_;
 }
 
