@@ -114,7 +114,7 @@ class MotionWorld {
   }
 
   World& world() { return world_; }
-  LinkedWorld& linked() { return *linked_; }
+  LinkedWorld& linked() const { return *linked_; }
   const std::vector<ObjectId>& robots() const { return robots_; }
   long frame() const { return frame_; }
 

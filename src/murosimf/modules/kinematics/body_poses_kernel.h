@@ -31,13 +31,14 @@ void bodyPoses(const BodyPosesArguments& a, const BlockMemory& block, const Step
   auto* pose = columnAt<Transform<S>, S>(block, a.pose);
   auto* last = columnAt<Transform<S>, S>(block, a.pose_last);
   S* computed_before = columnAt<S, S>(block, a.fresh);
-  for (int i = 0; i < a.bodies; ++i) last[i] = pose[i];
-  pose[0] = *X_WB;
-  for (int i = 1; i < a.bodies; ++i) pose[i] = childPose(pose[a.rows[i].parent], a.rows[i], q[i - 1]);
   // A robot that was just put somewhere has no path that leads there.
   const auto* X_WB_last = columnAt<Transform<S>, S>(block, a.base_pose_last);
-  const auto jumped = differ(last[0], *X_WB_last) | (*computed_before == S(0));
-  for (int i = 0; i < a.bodies; ++i) last[i] = select(jumped, pose[i], last[i]);
+  const auto jumped = differ(pose[0], *X_WB_last) | (*computed_before == S(0));
+  for (int i = 0; i < a.bodies; ++i) {
+    const Transform<S> before = pose[i];
+    pose[i] = i == 0 ? *X_WB : childPose(pose[a.rows[i].parent], a.rows[i], q[i - 1]);
+    last[i] = select(jumped, pose[i], before);
+  }
   *computed_before = S(1);
 }
 
