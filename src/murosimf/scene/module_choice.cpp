@@ -25,6 +25,14 @@ std::vector<std::string> slotNames() {
   return names;
 }
 
+std::vector<std::string> modulesFor(std::string_view slot, const ModuleRegistry& registry) {
+  std::vector<std::string> names;
+  for (const ModuleEntry& entry : registry.entries()) {
+    if (entry.concern == slot) names.emplace_back(entry.name);
+  }
+  return names;
+}
+
 const ModuleChoice* choiceFor(const RobotSettings& robot, std::string_view slot) {
   const auto found = std::find_if(robot.modules.begin(), robot.modules.end(),
                                   [&](const ModuleChoice& choice) { return choice.slot == slot; });
@@ -84,6 +92,7 @@ WrittenValue writtenValue(const SceneValue& value) {
 std::vector<Assignment> modulesOf(const RobotSettings& robot, const ModuleRegistry& registry,
                                   Diagnostics& diagnostics) {
   std::vector<Assignment> assignments;
+  const std::vector<std::string> slots = slotNames();
   const double period = motionPeriod(robot);
   for (const Slot& slot : kKinematicLevel) {
     const ModuleChoice* choice = choiceFor(robot, slot.name);
@@ -91,6 +100,13 @@ std::vector<Assignment> modulesOf(const RobotSettings& robot, const ModuleRegist
         choice == nullptr || choice->module->empty() ? std::string(slot.module) : *choice->module;
     if (module == "none") continue;
     const ModuleEntry* entry = registry.find(module);
+    if (entry == nullptr && choice != nullptr) {
+      const std::vector<std::string> known = modulesFor(slot.name, registry);
+      diagnostics.error(choice->module.where,
+                        fmt::format("{}: unknown module \"{}\" for {}; expected none or one of {}{}", robot.path(),
+                                    module, slot.name, fmt::join(known, ", "), didYouMean(module, known)));
+      continue;
+    }
     if (entry != nullptr && entry->concern != slot.name) {
       diagnostics.error(choice->module.where, fmt::format("{}: module {} is for {}, not for {}", robot.path(), module,
                                                           entry->concern, slot.name));
@@ -103,9 +119,9 @@ std::vector<Assignment> modulesOf(const RobotSettings& robot, const ModuleRegist
     if (choice.slot.starts_with(kExtraModule)) {
       const std::string name = choice.module->empty() ? choice.slot.substr(kExtraModule.size()) : *choice.module;
       assignments.push_back(assignmentOf(name, &choice, period, robot.where));
-    } else if (std::find(slotNames().begin(), slotNames().end(), choice.slot) == slotNames().end()) {
+    } else if (std::find(slots.begin(), slots.end(), choice.slot) == slots.end()) {
       diagnostics.error(placeOf(choice, robot), fmt::format("{}: level \"{}\" has no {}; it has {}", robot.path(),
-                                                            *robot.level, choice.slot, fmt::join(slotNames(), ", ")));
+                                                            *robot.level, choice.slot, fmt::join(slots, ", ")));
     }
   }
   return assignments;

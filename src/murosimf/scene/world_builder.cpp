@@ -91,9 +91,9 @@ void WorldBuilder::sumMass(ObjectId robot) {
       diagnostics_.error(entry->where,
                          fmt::format("mass of {} is {}, expected a number from 0 to 1e6 kg", world_->path(body),
                                      mass ? fmt::format("{} kg", *mass) : "no number"));
-      return;
+    } else {
+      sum += *mass;
     }
-    sum += *mass;
   }
   const bool written = world_->findEntry(robot, kMass.name) != nullptr;
   if (!written) world_->set(robot, kMass, sum);

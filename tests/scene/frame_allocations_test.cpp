@@ -1,0 +1,87 @@
+// Frames allocate nothing: counted by replacing the operator new of this test program.
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "scene/built_world.h"
+
+namespace {
+std::atomic<long> allocations{0};
+
+void* counted(std::size_t size, std::size_t alignment) {
+  ++allocations;
+  const std::size_t whole = (size + alignment - 1) / alignment * alignment;
+  void* memory = std::aligned_alloc(alignment, whole == 0 ? alignment : whole);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+}  // namespace
+
+void* operator new(std::size_t size) { return counted(size, alignof(std::max_align_t)); }
+void* operator new[](std::size_t size) { return counted(size, alignof(std::max_align_t)); }
+void* operator new(std::size_t size, std::align_val_t a) { return counted(size, static_cast<std::size_t>(a)); }
+void* operator new[](std::size_t size, std::align_val_t a) { return counted(size, static_cast<std::size_t>(a)); }
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete[](void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+void operator delete[](void* p, std::size_t) noexcept { std::free(p); }
+void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
+void operator delete[](void* p, std::align_val_t) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
+void operator delete[](void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
+
+namespace murosimf::test {
+namespace {
+
+/// Six robots around the ball, which rolls into them.
+std::string sixRobots(const std::string& control) {
+  std::string text = "[robots.all]\nfile = \"robots/ks21.urdf\"\ncontrol = \"" + control + "\"\n";
+  for (int i = 0; i < 6; ++i) {
+    text += fmt::format("[robots.{}.{}]\npose = [{}, {}, 0.3]\n", i < 3 ? "red" : "blue", i % 3 + 1,
+                        0.3 + 0.25 * (i % 3), i < 3 ? -0.1 : 0.25);
+  }
+  return text;
+}
+
+long allocationsOfFrames(Simulation& simulation, int frames) {
+  const long before = allocations;
+  for (int i = 0; i < frames; ++i) simulation.step();
+  return allocations - before;
+}
+
+TEST(Frames, AllocateNothing) {
+  BuiltWorld built(sixRobots("none"));
+  const auto simulation = built.simulation();
+  allocationsOfFrames(*simulation, 100);
+  const ObjectId ball = simulation->world().find("ball");
+  simulation->interventions().placeBody(100, ball, {0, 0, 0.07}, {2.0, 0, 0});
+  bool touched = false;
+  const long before = allocations;
+  for (int i = 0; i < 1000; ++i) {
+    simulation->step();
+    for (const PairPhase::Touch& touch : simulation->pairs().touches()) touched |= touch.partner.valid();
+  }
+  EXPECT_EQ(allocations - before, 0);
+  EXPECT_TRUE(touched) << "the ball was to meet a robot";
+}
+
+TEST(Frames, OfControlledRobotsAllocateNothingOnTheirOwnThreads) {
+  BuiltWorld built(sixRobots("idle") + "[robots.all.cameras]\nhead = \"none\"\nchest = \"none\"\n",
+                   {"simulation.pace=1"});
+  const auto simulation = built.simulation();
+  const auto run = [&](int frames) {
+    long count = 0;
+    for (int i = 0; i < frames; ++i) {
+      count += allocationsOfFrames(*simulation, 1);
+      simulation->control()->finish();
+    }
+    return count;
+  };
+  run(100);
+  EXPECT_EQ(run(500), 0);
+  EXPECT_EQ(simulation->control()->counts().steps, 6 * 60);
+}
+
+}  // namespace
+}  // namespace murosimf::test
