@@ -100,6 +100,16 @@ inline bool any(Mask<T, W> mask) {
   for (int i = 0; i < W; ++i) found |= mask.v[i] != 0;
   return found;
 }
+inline bool any(Mask<double, 4> mask) {
+  return _mm256_movemask_pd(_mm256_castsi256_pd(reinterpret_cast<__m256i>(mask.v))) != 0;
+}
+inline bool any(Mask<float, 8> mask) {
+  return _mm256_movemask_ps(_mm256_castsi256_ps(reinterpret_cast<__m256i>(mask.v))) != 0;
+}
+#ifdef __AVX512DQ__
+inline bool any(Mask<double, 8> mask) { return _mm512_movepi64_mask(reinterpret_cast<__m512i>(mask.v)) != 0; }
+inline bool any(Mask<float, 16> mask) { return _mm512_movepi32_mask(reinterpret_cast<__m512i>(mask.v)) != 0; }
+#endif
 inline bool any(bool mask) { return mask; }
 /// True when every lane is.
 template <class Truth>
