@@ -35,7 +35,16 @@ nlohmann::ordered_json controlFigures(const ControlCounts& counts) {
           {"program_seconds_all_threads", counts.program_seconds},
           {"refused_joint_commands", counts.refused_joints},
           {"late_commands", counts.late_commands},
-          {"missed_sensor_frames", counts.missed_frames}};
+          {"missed_sensor_frames", counts.missed_frames},
+          {"failed_programs", counts.failed_programs}};
+}
+
+nlohmann::ordered_json faultList(const Simulation& simulation) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const ProgramFault& fault : simulation.control()->faults()) {
+    list.push_back({{"robot", simulation.world().path(fault.robot)}, {"time", fault.time}, {"what", fault.what}});
+  }
+  return list;
 }
 
 }  // namespace
@@ -53,7 +62,10 @@ nlohmann::ordered_json basicReport(const Scene& scene, const Simulation& simulat
   report["state_hash"] = hexadecimal(simulation.stateHash());
   for (const std::uint64_t hash : hashes.hashes()) report["state_hashes"].push_back(hexadecimal(hash));
   report["stages"] = stageSeconds(simulation);
-  if (simulation.control() != nullptr) report["control"] = controlFigures(simulation.control()->counts());
+  if (simulation.control() != nullptr) {
+    report["control"] = controlFigures(simulation.control()->counts());
+    report["control"]["faults"] = faultList(simulation);
+  }
   return report;
 }
 

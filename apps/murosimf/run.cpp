@@ -42,6 +42,15 @@ Run::Run(const RunArguments& arguments, const Scene& scene, Diagnostics& diagnos
   if (!arguments_.from.empty()) loadCheckpoint(arguments_.from, *simulation_);
 }
 
+/// Observers must not be gone while a program still runs, as after an exception in the middle of a game.
+Run::~Run() {
+  if (simulation_ == nullptr) return;
+  try {
+    simulation_->control()->finish();
+  } catch (...) {  // NOLINT: it has been thrown before, or nobody is left to tell
+  }
+}
+
 /// A file named on the command line stands where it says, one named in the scenario in the run's folder.
 std::filesystem::path Run::output(const std::string& file) const {
   const bool from_command_line = file == arguments_.record || file == arguments_.video;
@@ -130,6 +139,10 @@ nlohmann::ordered_json Run::report() {
 
 std::string Run::finish() {
   std::string text;
+  for (const ProgramFault& fault : simulation_->control()->faults()) {
+    text += fmt::format("warning: {}: control software failed at {:.3f} s and was not run again: {}\n",
+                        simulation_->world().path(fault.robot), fault.time, fault.what);
+  }
   if (film_ != nullptr) {
     const FilmReport film = film_->finish();
     if (!film.error.empty()) text += "warning: " + film.error + "\n";

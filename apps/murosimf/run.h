@@ -23,6 +23,9 @@ class Run {
   /// Builds the world and opens all outputs. Where something is wrong with the input, diagnostics gets errors and the
   /// run must not be started. @throws std::runtime_error when an output cannot be opened.
   Run(const RunArguments& arguments, const Scene& scene, Diagnostics& diagnostics);
+  ~Run();
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
 
   /// Plays to the end of the scenario's duration.
   void play();
