@@ -36,6 +36,8 @@ PlanarPose restingPose(const WalkCommand& v) {
 
 void BallApproach::restart() { *this = BallApproach{}; }
 
+void BallApproach::giveWay() { retreat_left_ = kRetreatTime; }
+
 void BallApproach::chooseDirection(const Situation& now, const Pitch& pitch) {
   std::array<Point, 12> robots_F;
   const std::size_t count = std::min(now.robots_R.size(), robots_F.size());

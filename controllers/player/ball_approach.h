@@ -26,6 +26,8 @@ class BallApproach {
  public:
   /// Forgets the foot and the time spent; for a new ball or after a kick.
   void restart();
+  /// Steps back for a while: the ball cannot be played now.
+  void giveWay();
   /// Decides for this step. The ball must be known.
   Decision step(const Situation& now, const Pitch& pitch);
   /// Estimated time to the kick from here [s].

@@ -13,6 +13,7 @@ constexpr double kSweepTime = 1.5, kTurnTime = 11.0, kTurnRate = 0.65;  // searc
 constexpr double kStepBackTime = 4.0;                                   // [s]
 constexpr double kStayBonus = 1.0;  // who is on the way to the ball keeps going unless a mate is this much faster [s]
 constexpr double kHeadStart = 0.25, kLongestBlock = 6.0;  // [m], [s]
+constexpr double kBlockedKick = 0.25;  // a kicked ball that has not moved this far met somebody's feet [m]
 constexpr double kNoCost = 1e9;
 constexpr double kLostDeviation = 0.5;  // of the own position: time to look for landmarks [m]
 
@@ -79,6 +80,7 @@ Decision Behaviour::decide(const Situation& now, const BallPlace& ball) {
     return {{}, look, "stand"};
   }
   if (waits_) return {{}, look, "wait for kick-off"};
+  judgeKick(now);
   if (now.kicking) {
     approach_.restart();
     const bool ball_away = now.kick_time > kKickContactTime;
@@ -124,6 +126,19 @@ Decision Behaviour::play(const Situation& now, const BallPlace& ball) {
   return keepPlace(now, supportPlace(pitch_, now.role, ball.p_F, own), ball.p_F, "support");
 }
 
+/// A ball that stays where it was has been kicked against somebody's feet. Whoever has less to lose steps back first,
+/// or both would go on kicking each other's feet.
+void Behaviour::judgeKick(const Situation& now) {
+  if (now.kicking && !kicked_) kick_place_F_ = now.ball_F();
+  const bool over = kicked_ && !now.kicking;
+  kicked_ = now.kicking;
+  if (!over || !now.ball_known) return;
+  blocked_kicks_ = norm(now.ball_F() - kick_place_F_) < kBlockedKick ? blocked_kicks_ + 1 : 0;
+  if (blocked_kicks_ < 4 - now.number) return;
+  blocked_kicks_ = 0;
+  approach_.giveWay();
+}
+
 /// An opponent who is at the ball first will kick it. Running into him makes a knot of feet out of which no ball comes;
 /// standing in his way at some distance stops the kick or turns it aside. After a while somebody must go, though.
 bool Behaviour::leavesBallToOpponent(const Situation& now) {
@@ -134,7 +149,8 @@ bool Behaviour::leavesBallToOpponent(const Situation& now) {
       return norm(transformedBack(now.X_FR, {m.pose.x, m.pose.y}) - robot_R) < 0.35;
     });
     const double gap = norm(robot_R - now.ball_R);
-    there = there || (!mate && gap < 0.4 && gap + kHeadStart < own);
+    const bool behind_ball = transformed(now.X_FR, robot_R).x > now.ball_F().x;  // he need not walk round it
+    there = there || (!mate && behind_ball && gap < 0.4 && gap + kHeadStart < own);
   }
   left_for_ = there && now.ball_known && norm(now.ball_velocity_R) < 0.2 ? left_for_ + now.dt : 0.0;
   return there && now.ball_known && left_for_ < kLongestBlock;
@@ -187,7 +203,7 @@ HeadRequest Behaviour::headRequest(const Situation& now, HeadRequest::Kind kind,
 
 void Behaviour::archive(client::StateArchive& archive) {
   archive(approach_, phase_, waits_, waited_, waits_saw_ball_, waits_ball_R_, attacks_, at_place_, searched_,
-          last_side_, left_for_, last_near_, landmark_, cost_);
+          last_side_, left_for_, kicked_, kick_place_F_, blocked_kicks_, last_near_, landmark_, cost_);
 }
 
 }  // namespace murosimf::controllers

@@ -47,6 +47,7 @@ class Behaviour {
   Decision decide(const Situation& now, const BallPlace& ball);
   Decision search(const Situation& now);
   Decision play(const Situation& now, const BallPlace& ball);
+  void judgeKick(const Situation& now);
   bool leavesBallToOpponent(const Situation& now);
   Decision attack(const Situation& now, const BallPlace& ball);
   Decision keepPlace(const Situation& now, const Point& place_F, const Point& facing_F, const char* activity);
@@ -63,6 +64,9 @@ class Behaviour {
   bool attacks_ = false;    ///< went to the ball in the step before
   bool at_place_ = false;   ///< stands where its role wants it
   double searched_ = 0;     ///< since the ball was known [s]
+  bool kicked_ = false;     ///< in the step before
+  Point kick_place_F_;      ///< of the ball at the start of the kick
+  int blocked_kicks_ = 0;   ///< in a row
   double left_for_ = 0;     ///< the ball has been left to an opponent [s]
   double last_side_ = 1;    ///< where the ball was last: +1 left, -1 right
   bool last_near_ = false;  ///< the ball was at the feet when it was last seen
