@@ -43,7 +43,7 @@ int checkFiles(const std::vector<std::string>& files) {
 
 int printModules(const std::string& scenario) {
   if (scenario.empty()) {
-    fmt::print("{}", moduleTable(allModules()));
+    fmt::print("{}", moduleTable(allModules(), frameAttachments({})));
     return 0;
   }
   Diagnostics diagnostics;

@@ -122,21 +122,34 @@ std::string_view wordFor(Phase phase) {
 
 }  // namespace
 
-std::string moduleTable(const ModuleRegistry& registry) {
+namespace {
+
+std::string propertyLines(const Module& module) {
+  std::string out;
+  Declaration declaration;
+  module.declare(declaration);
+  for (const DeclaredProperty& p : declaration.properties()) {
+    out += fmt::format("{:<20} {:<11} {:<22} {:<8} {:<7} {}\n", "", wordFor(p.access), p.name, p.subset, p.unit,
+                       p.meaning);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string moduleTable(const ModuleRegistry& registry, const std::vector<Attachment>& attachments) {
   std::string out =
       fmt::format("{:<20} {:<11} {:<22} {:<8} {:<7} {}\n", "module", "access", "property", "of", "unit", "meaning");
   for (const ModuleEntry& entry : registry.entries()) {
     out += fmt::format("\n{} ({}): {}\n", entry.name, entry.concern, entry.summary);
-    Declaration declaration;
-    makeDefault(entry)->declare(declaration);
-    for (const DeclaredProperty& p : declaration.properties()) {
-      out += fmt::format("{:<20} {:<11} {:<22} {:<8} {:<7} {}\n", "", wordFor(p.access), p.name, p.subset, p.unit,
-                         p.meaning);
-    }
+    out += propertyLines(*makeDefault(entry));
     for (const ParameterInfo& p : entry.parameters) {
       out += fmt::format("{:<20} {:<11} {:<22} {:<8} {:<7} {} (default {})\n", "", "parameter", p.name, "", p.unit,
                          p.meaning, p.initial);
     }
+  }
+  for (const Attachment& attachment : attachments) {
+    out += fmt::format("\n{} (part of the frame)\n{}", attachment.name, propertyLines(*attachment.module));
   }
   return out;
 }

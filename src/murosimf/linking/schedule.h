@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/linking/linked_world.h"
+#include "murosimf/linking/linker.h"
 
 namespace murosimf {
 
@@ -30,7 +30,8 @@ void dropUnread(std::vector<ScheduledModule>& modules);
 std::unique_ptr<BlockModule> makeDefault(const ModuleEntry& entry);
 
 /// Table of modules and the properties they need, read and add, from their declarations.
-std::string moduleTable(const ModuleRegistry& registry);
+/// Attachments follow: the parts of the frame that stand outside the blocks.
+std::string moduleTable(const ModuleRegistry& registry, const std::vector<Attachment>& attachments = {});
 /// Table of the passes that run, and of those that do not because nobody reads them.
 std::string passTable(const LinkedWorld& linked);
 

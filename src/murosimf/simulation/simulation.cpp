@@ -6,13 +6,17 @@
 
 namespace murosimf {
 
+std::vector<Attachment> frameAttachments(const Participants& participants) {
+  return {{"interventions", &InterventionQueue::robotAccess(), participants.robots},
+          {"robot_port", &RobotPort::robotAccess(), participants.robots},
+          {"pair_phase", &PairPhase::robotAccess(), participants.robots},
+          {"pair_phase", &PairPhase::freeBodyAccess(), participants.free_bodies},
+          {"blocking", &BlockingPhase::robotAccess(), participants.robots},
+          {"scene_view", &SceneView::robotAccess(), participants.robots}};
+}
+
 void attachFrame(Linker& linker, const Participants& participants) {
-  linker.attach({"interventions", &InterventionQueue::robotAccess(), participants.robots});
-  linker.attach({"robot_port", &RobotPort::robotAccess(), participants.robots});
-  linker.attach({"pair_phase", &PairPhase::robotAccess(), participants.robots});
-  linker.attach({"pair_phase", &PairPhase::freeBodyAccess(), participants.free_bodies});
-  linker.attach({"blocking", &BlockingPhase::robotAccess(), participants.robots});
-  linker.attach({"scene_view", &SceneView::robotAccess(), participants.robots});
+  for (Attachment& attachment : frameAttachments(participants)) linker.attach(std::move(attachment));
 }
 
 Simulation::Simulation(std::shared_ptr<const World> world, std::unique_ptr<LinkedWorld> linked,

@@ -32,7 +32,9 @@ struct Participants {
   std::vector<ObjectId> fixed;        ///< never move
 };
 
-/// Attaches everything of the frame that lies outside the blocks to the linker: ports, contacts, cameras.
+/// Everything of the frame that lies outside the blocks: ports, contacts, cameras.
+std::vector<Attachment> frameAttachments(const Participants& participants);
+/// Attaches all of it to the linker.
 void attachFrame(Linker& linker, const Participants& participants);
 
 class Simulation {
