@@ -70,6 +70,9 @@ TEST(Film, IsRefusedBeforeTheRunWhereItCannotBeMade) {
   const std::string missing = test::errorOf([&] { Film film(*game.simulation, settings); });
   EXPECT_NE(missing.find("film.mp4: cannot film: found no program no_such_ffmpeg"), std::string::npos) << missing;
   EXPECT_FALSE(std::filesystem::exists(folder / "film.mp4"));
+  test::writeBytes(folder / "film.mp4", "an earlier film");
+  EXPECT_NE(test::errorOf([&] { Film film(*game.simulation, settings); }), "");
+  EXPECT_EQ(test::readBytes(folder / "film.mp4"), "an earlier film");
   const std::string nowhere = test::errorOf([&] { Film film(*game.simulation, smallFilm(folder / "no" / "f.mp4")); });
   EXPECT_NE(nowhere.find("f.mp4: cannot write the video: No such file"), std::string::npos) << nowhere;
   settings = smallFilm(folder / "film.mp4");

@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -71,7 +72,8 @@ VideoPipe::VideoPipe(const std::filesystem::path& file, const VideoFormat& forma
     throw std::runtime_error(fmt::format("{}: cannot film in {} x {} pixels: width and height must be even",
                                          file_.string(), format.width, format.height));
   }
-  if (!std::ofstream(file_, std::ios::binary)) {
+  // Opened to append, so that an earlier film stays until ffmpeg has started.
+  if (!std::ofstream(file_, std::ios::binary | std::ios::app)) {
     throw std::runtime_error(fmt::format("{}: cannot write the video: {}", file_.string(), std::strerror(errno)));
   }
   messages_.reset(std::tmpfile());
@@ -104,8 +106,9 @@ void VideoPipe::spawn(const VideoFormat& format, int read_end) {
   close(read_end);
   if (error == 0) return;
   close(pipe_);
-  std::error_code ignored;
-  std::filesystem::remove(file_, ignored);  // the empty file of the constructor's trial
+  std::error_code failed;
+  const auto size = std::filesystem::file_size(file_, failed);
+  if (!failed && size == 0) std::filesystem::remove(file_, failed);  // of the constructor's trial
   throw std::runtime_error(
       error == ENOENT
           ? fmt::format(
