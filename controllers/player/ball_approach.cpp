@@ -64,10 +64,10 @@ PlanarPose BallApproach::kickPose(const Point& ball_R, double back) const {
   return {p.x, p.y, heading};
 }
 
-bool BallApproach::ballInZone(const Point& ball_R, double margin) const {
+bool BallApproach::ballInZone(const Point& ball_R, double margin_x, double margin_y) const {
   const double y = ball_R.y * sideSign(foot_);
-  return ball_R.x > kZone.lowest_x - margin && ball_R.x < kZone.highest_x + margin && y > kZone.lowest_y - margin &&
-         y < kZone.highest_y + margin;
+  return ball_R.x > kZone.lowest_x - margin_x && ball_R.x < kZone.highest_x + margin_x &&
+         y > kZone.lowest_y - margin_y && y < kZone.highest_y + margin_y;
 }
 
 bool BallApproach::worthKicking(const Situation& now) const {
@@ -132,8 +132,8 @@ Decision BallApproach::lineUp(const Situation& now) {
   const bool lost = from_kick.x < -0.42 || std::fabs(from_kick.y) > 0.15 || std::fabs(kick.heading) > degrees(40) ||
                     now.ball_R.x < 0.08;
   if (lost) stage_ = Stage::kGoBehind;
-  const bool ready = ballInZone(transformedBack(restingPose(now.velocity), now.ball_R), -0.01) && worthKicking(now) &&
-                     norm(now.ball_velocity_R) < 0.15;
+  const bool ready = ballInZone(transformedBack(restingPose(now.velocity), now.ball_R), -0.015, -0.005) &&
+                     worthKicking(now) && norm(now.ball_velocity_R) < 0.15;
   if (ready) stage_ = Stage::kStop;
   const WalkCommand walk{clamp(1.5 * kick.x, -kLineUpSpeed.vx, kLineUpSpeed.vx),
                          clamp(2.0 * kick.y, -kLineUpSpeed.vy, kLineUpSpeed.vy),
@@ -143,7 +143,7 @@ Decision BallApproach::lineUp(const Situation& now) {
 
 Decision BallApproach::stopAndKick(const Situation& now) {
   Decision decision{{MotionRequest::Kind::kStand, {}, foot_}, HeadRequest::Kind::kWatchBall, "kick"};
-  if (!ballInZone(transformedBack(restingPose(now.velocity), now.ball_R), 0.01)) {
+  if (!ballInZone(transformedBack(restingPose(now.velocity), now.ball_R), 0, 0.01)) {
     stage_ = Stage::kLineUp;
     return decision;
   }

@@ -40,7 +40,7 @@ class BallApproach {
   void chooseDirection(const Situation& now, const Pitch& pitch);
   void chooseFoot(const Point& ball_R);
   PlanarPose kickPose(const Point& ball_R, double back) const;
-  bool ballInZone(const Point& ball_R, double margin) const;
+  bool ballInZone(const Point& ball_R, double margin_x, double margin_y) const;
   bool worthKicking(const Situation& now) const;
   Decision goBehind(const Situation& now);
   Decision lineUp(const Situation& now);

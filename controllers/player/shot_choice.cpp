@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "positions.h"
+
 namespace murosimf::controllers {
 
 namespace {
 
-constexpr double kOutCost = 1.0, kBlockCost = 0.3, kOwnGoalCost = 10.0;
+constexpr double kOutCost = 1.0, kBlockCost = 0.3, kKeeperCost = 0.7, kOwnGoalCost = 10.0;
 constexpr double kBodyRadius = 0.13, kBlockDistance = 1.3;  // [m]
 
 /// Way along the unit vector `along` from `from` until the field ends [m].
@@ -38,7 +40,8 @@ double valueOf(const Pitch& pitch, const Point& ball, const Point& along, std::s
   const double way = std::min({ShotChoice::kRange, edge, robot});
   const Point end = ball + way * along;
   const double closeness = -norm(pitch.attackedGoal() - end);
-  if (way < edge) return way == robot ? closeness - kBlockCost : closeness;
+  if (way == robot && way < edge) return closeness - kBlockCost;
+  if (way < edge) return inKeeperZone(pitch, {-end.x, -end.y}, 0) ? closeness - kKeeperCost : closeness;
   const bool between_posts = std::fabs(end.y) < pitch.half_goal - pitch.post_radius - pitch.ball_radius;
   const bool over_goal_line = std::fabs(end.x) > pitch.half_length - 1e-6;
   if (!over_goal_line || !between_posts) return closeness - kOutCost;

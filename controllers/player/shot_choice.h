@@ -3,9 +3,10 @@
 /// @file In which direction to play the ball.
 ///
 /// Every direction gets the value of the place where the ball would come to rest: a goal is worth most, then closeness
-/// to the goal attacked; out of the field, into another robot or towards the own goal costs. Values are averaged over
-/// the directions that a kick may err by, so a direction in the middle of an opening beats one beside a post. Turning
-/// costs time, so the best direction is the one with the best value less the cost of getting there.
+/// to the goal attacked; out of the field, into another robot, before the opponents' keeper or
+/// towards the own goal costs. Values are averaged over the directions that a kick may err by, so a direction in the
+/// middle of an opening beats one beside a post. Turning costs time, so the best direction is the one with the best
+/// value less the cost of getting there.
 
 #include <array>
 
@@ -24,7 +25,7 @@ class ShotChoice {
   double value(double direction) const;
 
   /// How far a kicked ball rolls [m].
-  static constexpr double kRange = 1.7;
+  static constexpr double kRange = 1.9;
   /// Value of a goal [m]: a place 4 m closer to the goal than its centre.
   static constexpr double kGoalValue = 4.0;
   /// Time and risk of turning, in the same unit [m/rad].
