@@ -48,13 +48,15 @@ std::string_view nameOf(Percept::Kind kind) {
   return "";
 }
 
+double uprightHeight(const Percept& p) { return std::max(12.0, 4 * p.radius); }
+
 /// The foot: a bar as wide as the thing, and an upright on it.
 void drawFoot(const Percept& p, Canvas& canvas) {
   const Rgb colour = colourOf(p.kind);
   const double half_width = std::max(2.0, p.radius);
   canvas.line({p.u - half_width, p.v}, {p.u + half_width, p.v}, colour);
   canvas.line({p.u - half_width, p.v + 1}, {p.u + half_width, p.v + 1}, colour);
-  canvas.line({p.u, p.v}, {p.u, p.v - std::max(12.0, 4 * half_width)}, colour);
+  canvas.line({p.u, p.v}, {p.u, p.v - uprightHeight(p)}, colour);
 }
 
 void drawMark(const Percept& p, Canvas& canvas) {
@@ -72,7 +74,10 @@ void drawMark(const Percept& p, Canvas& canvas) {
 void drawLabel(const Percept& p, Canvas& canvas) {
   if (p.kind == Percept::Kind::kLinePoint) return;
   const std::string words = fmt::format("{} {:.2f}", nameOf(p.kind), p.distance);
-  const double below = p.kind == Percept::Kind::kBall ? p.radius + 4 : 6;
+  // Robots' labels on top: the ball often lies at their feet.
+  const double below = p.kind == Percept::Kind::kBall    ? p.radius + 4
+                       : p.kind == Percept::Kind::kRobot ? -uprightHeight(p) - Canvas::textHeight() - 3
+                                                         : 6;
   canvas.label({p.u - 0.5 * Canvas::textWidth(words), p.v + below}, words, colourOf(p.kind));
 }
 
