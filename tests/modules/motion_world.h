@@ -39,8 +39,8 @@ inline std::vector<double> gait(double phase, const controllers::WalkCommand& co
 
 class MotionWorld {
  public:
-  /// @param step length of a frame and of every module's step [s]
-  explicit MotionWorld(double step) : step_(step) {}
+  /// @param step length of a frame [s]; of every module's step too, unless `period` [s] says otherwise
+  explicit MotionWorld(double step, double period = 0) : step_(step), period_(period) {}
 
   /// Adds a robot that begins with the joint positions q.
   ObjectId add(const std::string& path, const RobotBlueprint& print, const std::vector<double>& q) {
@@ -50,6 +50,7 @@ class MotionWorld {
     robots_.push_back(robot);
     return robot;
   }
+  void attach(Attachment attachment) { attachments_.push_back(std::move(attachment)); }
   void link(int lanes = 1) {
     static const OutsideAccess driver([](Declaration& d) {
       d.adds(kJointCommand, subset::kJoints);
@@ -61,10 +62,11 @@ class MotionWorld {
     Linker linker(world_, modules, {step_, lanes});
     for (const ObjectId robot : robots_) {
       for (const char* name : {"ideal_servo", "kinematic_walking", "body_poses", "inertial_sensor"}) {
-        linker.assign({robot, name, {}, {}});
+        linker.assign({robot, name, {{"period", {{{period_}, ""}, {}}}}, {}});
       }
     }
     linker.attach({"driver", &driver, robots_});
+    for (const Attachment& attachment : attachments_) linker.attach(attachment);
     Diagnostics diagnostics;
     linked_ = linker.link(diagnostics);
     if (linked_ == nullptr) throw std::runtime_error(diagnostics.text());
@@ -119,9 +121,10 @@ class MotionWorld {
   long frame() const { return frame_; }
 
  private:
-  double step_;
+  double step_, period_;
   World world_;
   std::vector<ObjectId> robots_;
+  std::vector<Attachment> attachments_;
   std::unique_ptr<LinkedWorld> linked_;
   long frame_ = 0;
 };

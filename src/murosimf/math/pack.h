@@ -166,9 +166,10 @@ template <class S>
 inline S max(S a, S b) {
   return select(a > b, a, b);
 }
+/// x moved into [low, high]; what is not a number stays none, so that it is noticed.
 template <class S>
 inline S clamp(S x, S low, S high) {
-  return min(max(x, low), high);
+  return select(x < low, low, select(x > high, high, x));
 }
 template <class S>
 inline S abs(S x) {
