@@ -39,11 +39,17 @@ void removeApproach(BlockingDisc& a, BlockingDisc& b, const Direction& n, double
   add(b, n, -excess * (share_b / sum));
 }
 
+/// What a takes of a correction between the two: in proportion to its own approach, half when neither comes nearer.
+double shareOf(const BlockingDisc& a, const BlockingDisc& b, const Direction& n) {
+  if (a.fixed || b.fixed) return a.fixed ? 0.0 : 1.0;
+  const double by_a = max(-along(n, a), 0.0), by_b = max(along(n, b), 0.0), sum = by_a + by_b;
+  return sum > 0 ? by_a / sum : 0.5;
+}
+
 /// Parts two discs that overlap at their last positions, by at most `most` in this update.
-void separate(BlockingDisc& a, BlockingDisc& b, const Direction& n, double overlap, double most) {
+void separate(BlockingDisc& a, BlockingDisc& b, const Direction& n, double overlap, double most, double share_a) {
   const double wanted = min(overlap, most) - (along(n, a) - along(n, b));
   if (wanted <= 0) return;
-  const double share_a = a.fixed ? 0.0 : b.fixed ? 1.0 : 0.5;
   if (!a.fixed) add(a, n, wanted * share_a);
   if (!b.fixed) add(b, n, -wanted * (1 - share_a));
 }
@@ -58,8 +64,9 @@ bool correct(BlockingDisc& a, BlockingDisc& b, double most) {
   const double reach = a.radius + b.radius;
   if (excessOverlap(a, b, reach) <= kTouch) return false;
   const Direction n = between(a, b);
+  const double share_a = shareOf(a, b, n);
   removeApproach(a, b, n, n.distance - reach);
-  if (n.distance < reach - kTouch) separate(a, b, n, reach - n.distance, most);
+  if (n.distance < reach - kTouch) separate(a, b, n, reach - n.distance, most, share_a);
   return true;
 }
 

@@ -9,9 +9,10 @@
 ///     max(a, 0)
 /// so a standing robot is not pushed, a fleeing one not held, and motion along the other stays. The linearised gap is
 /// never larger than the true one: no overlap is left. Several contacts: sweeps in the order of names; who then still
-/// is in the way stands still. Discs that overlap already (a teleport) part at up to 0.5 m/s, half each, a post never.
-/// Discs that touch nothing keep their displacement bit by bit.
-/// Limits: a displacement must be smaller than the sum of radii (no disc is met in mid-path).
+/// is in the way stands still. Discs that overlap already (a teleport, a step that was longer than foreseen) part at up
+/// to 0.5 m/s: who comes nearer goes back, half each when neither does, a post never. Discs that touch nothing keep
+/// their displacement bit by bit. Limits: a displacement must be smaller than the sum of radii (no disc is met in
+/// mid-path).
 
 #include <cstdint>
 #include <span>
