@@ -55,9 +55,8 @@ std::unique_ptr<LinkedWorld> Linker::link(Diagnostics& diagnostics) {
   const int before = diagnostics.errorCount();
   std::vector<Assembly> assemblies = plan(diagnostics);
   checkWrittenProperties(diagnostics);
-  // A module that is not there would be missed by every module that reads it: one mistake, one error.
-  if (diagnostics.errorCount() > before) return nullptr;
   for (Assembly& assembly : assemblies) {
+    if (assembly.incomplete) continue;
     checkAssembly(assembly, diagnostics);
     schedule(assembly, world_.path(assembly.id), diagnostics);
   }
