@@ -58,9 +58,11 @@ Point wayAround(const Point& centre_R, double radius, const Point& target_R) {
   const double tangent = distance > radius ? acos(radius / distance) : 0.0;
   const double target_tangent = norm(from_centre) > radius ? acos(radius / norm(from_centre)) : 0.0;
   if (std::fabs(around) <= tangent + target_tangent + degrees(5)) return target_R;
-  const double step = std::min(std::fabs(around), tangent + degrees(40));
+  // The next point stands outside the circle by this factor, so that a straight way to it need not cut the circle.
+  constexpr double kOutside = 1.06;
+  const double outside = kOutside * radius;
+  const double step = std::min(std::fabs(around), tangent + acos(1 / kOutside));
   const SinCos<double> a = sincos(robot + (around < 0 ? -step : step));
-  const double outside = 1.06 * radius;  // a chord of the circle would cut it
   return centre_R + outside * Point{a.cos, a.sin};
 }
 
