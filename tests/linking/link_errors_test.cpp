@@ -251,6 +251,15 @@ TEST(LinkErrors, AllAreReportedAtOnce) {
   EXPECT_EQ(toy.diagnostics.errorCount(), 3) << toy.diagnostics.text();
 }
 
+TEST(LinkErrors, WhoMissesAModuleThatCouldNotBeMadeIsNoErrorMore) {
+  ToyWorld toy;
+  const ObjectId robot = toy.addRobot("a");
+  toy.assign(robot, "pendulous");
+  toy.assign(robot, "energy_watch");  // reads what pendulums would add
+  EXPECT_EQ(toy.link(), nullptr);
+  EXPECT_EQ(toy.diagnostics.errorCount(), 1) << toy.diagnostics.text();
+}
+
 TEST(LinkErrors, FaultsOfAProgramAreExceptions) {
   ToyWorld toy;
   const ObjectId robot = toy.addPendulums("a");

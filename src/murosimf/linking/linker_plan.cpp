@@ -68,12 +68,14 @@ std::vector<Linker::Assembly> Linker::plan(Diagnostics& diagnostics) const {
     for (Assembly& a : assemblies) {
       if (a.id == id) return a;
     }
-    assemblies.push_back({id, {}});
+    assemblies.push_back({id, {}, false});
     return assemblies.back();
   };
   for (const Assignment& assignment : assignments_) {
     std::optional<Planned> planned = planModule(assignment, diagnostics);
-    if (planned) assemblyOf(assignment.assembly).modules.push_back(std::move(*planned));
+    Assembly& assembly = assemblyOf(assignment.assembly);
+    if (planned) assembly.modules.push_back(std::move(*planned));
+    if (!planned) assembly.incomplete = true;
   }
   for (const Attachment& attachment : attachments_) {
     for (const ObjectId id : attachment.assemblies) {

@@ -25,6 +25,8 @@ struct Linker::Planned {
 struct Linker::Assembly {
   ObjectId id;
   std::vector<Planned> modules;
+  /// A module of it could not be made. Every module that reads it would miss it: one mistake, one error.
+  bool incomplete = false;
 
   /// Where to point at for a fault of a module: its assignment, or for attachments the assembly's first one.
   const SourceLocation& whereOf(const Planned& module) const;
