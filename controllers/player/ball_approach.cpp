@@ -14,7 +14,7 @@ constexpr double kObstacleClearance = 0.32;           // [m]
 constexpr WalkCommand kLineUpSpeed{0.12, 0.08, 0.8};  // largest
 constexpr double kRollingDeceleration = 0.3;          // [m/s^2]
 constexpr double kReach = 0.6;                        // "near the ball" [m]
-constexpr double kRetreatTime = 3.0;                  // [s]
+constexpr double kRetreatTime = 4.0;                  // [s]
 
 /// Where the rolling ball will be when the robot gets there, at the latest where it stops.
 Point meetingPoint(const Situation& now) {
@@ -80,8 +80,7 @@ Decision BallApproach::step(const Situation& now, const Pitch& pitch) {
   time_near_ = norm(now.ball_R) < kReach ? time_near_ + now.dt : 0.0;
   chooseDirection(now, pitch);
   if (stage_ != Stage::kStop) chooseFoot(now.ball_R);
-  if (stage_ != Stage::kStop && gaveUp(now))
-    return {{MotionRequest::Kind::kWalk, {-0.08, 0, 0}, kRight}, HeadRequest::Kind::kBallAndField, "give way"};
+  if (stage_ != Stage::kStop && gaveUp(now)) return stepAside(now);
   switch (stage_) {
     case Stage::kGoBehind:
       return goBehind(now);
@@ -94,7 +93,7 @@ Decision BallApproach::step(const Situation& now, const Pitch& pitch) {
 }
 
 /// Two robots that block each other at the ball would stand there for ever: after a while the one that looks the wrong
-/// way steps back, later the other, and of two alike the one with the higher number.
+/// way steps aside, later the other, and of two alike the one with the higher number.
 bool BallApproach::gaveUp(const Situation& now) {
   const bool well_placed = std::fabs(direction_R_) < degrees(60);
   const double patience = (well_placed ? 13.0 : 8.0) - 0.7 * now.number;
@@ -103,6 +102,13 @@ bool BallApproach::gaveUp(const Situation& now) {
   retreat_left_ -= now.dt;
   if (retreat_left_ <= 0) time_near_ = 0;
   return true;
+}
+
+/// Out of the line of the opponent's kick, facing the ball.
+Decision BallApproach::stepAside(const Situation& now) const {
+  const double away = now.ball_R.y > 0 ? -1 : 1;
+  const WalkCommand walk{-0.04, 0.08 * away, clamp(direction(now.ball_R), -0.4, 0.4)};
+  return {{MotionRequest::Kind::kWalk, walk, kRight}, HeadRequest::Kind::kBallAndField, "give way"};
 }
 
 Decision BallApproach::goBehind(const Situation& now) {
@@ -118,7 +124,7 @@ Decision BallApproach::goBehind(const Situation& now) {
   }
   Point way = wayAround(ball_R, kBallCircle, {goal.x, goal.y});
   const bool direct = way.x == goal.x && way.y == goal.y;
-  way = detour(way, now.robots_R, kObstacleClearance, 0.35);
+  way = detour(way, now.obstacles_R, kObstacleClearance, 0.35);
   // On the way round the robot keeps its eyes on the ball unless it has far to go.
   const double heading = direct ? goal.heading : direction(ball_R);
   return {{MotionRequest::Kind::kWalk, walkTo({way.x, way.y, heading}), kRight},

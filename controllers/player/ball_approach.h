@@ -26,7 +26,7 @@ class BallApproach {
  public:
   /// Forgets the foot and the time spent; for a new ball or after a kick.
   void restart();
-  /// Steps back for a while: the ball cannot be played now.
+  /// Steps aside for a while: the ball cannot be played now.
   void giveWay();
   /// Decides for this step. The ball must be known.
   Decision step(const Situation& now, const Pitch& pitch);
@@ -45,6 +45,7 @@ class BallApproach {
   Decision goBehind(const Situation& now);
   Decision lineUp(const Situation& now);
   Decision stopAndKick(const Situation& now);
+  Decision stepAside(const Situation& now) const;
   bool gaveUp(const Situation& now);
 
   ShotChoice shot_;  ///< computed anew in every step, so not archived
@@ -54,7 +55,7 @@ class BallApproach {
   double direction_R_ = 0;   ///< psi, in R [rad]
   double best_value_ = 0;    ///< of the chosen direction
   double time_near_ = 0;     ///< spent within reach of the ball [s]: makes the robot less choosy
-  double retreat_left_ = 0;  ///< of stepping back from a ball that another robot keeps from being reached [s]
+  double retreat_left_ = 0;  ///< of stepping aside from a ball that another robot keeps from being reached [s]
 };
 
 }  // namespace murosimf::controllers

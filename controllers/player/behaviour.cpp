@@ -160,7 +160,7 @@ Decision Behaviour::attack(const Situation& now, const BallPlace& ball) {
   if (now.ball_known) return approach_.step(now, pitch_);
   // A mate sees it: go there and look for it on the way.
   const Point ball_R = transformedBack(now.X_FR, ball.p_F);
-  const Point way = detour(ball_R, now.robots_R, 0.32, 0.35);
+  const Point way = detour(ball_R, now.obstacles_R, 0.32, 0.35);
   WalkCommand walk = walkTo({way.x, way.y, direction(ball_R)});
   if (norm(ball_R) < 0.6) walk = turnTo(direction(ball_R)), walk.vx = -0.06;  // perhaps it lies between the feet
   return {{MotionRequest::Kind::kWalk, walk, kRight}, HeadRequest::Kind::kSearch, "go to told ball"};
@@ -175,7 +175,7 @@ Decision Behaviour::keepPlace(const Situation& now, const Point& place_F, const 
                         : distance < arrive && std::fabs(bearing) < degrees(12);
   Decision decision{{}, now.ball_known ? HeadRequest::Kind::kBallAndField : HeadRequest::Kind::kSearch, activity};
   if (at_place_) return decision;
-  const Point way = detour(place_R, now.robots_R, 0.32, 0.0);
+  const Point way = detour(place_R, now.obstacles_R, 0.32, 0.0);
   decision.motion = {MotionRequest::Kind::kWalk, walkTo({way.x, way.y, bearing}, 0.2), kRight};
   return decision;
 }

@@ -5,7 +5,7 @@
 namespace murosimf::controllers {
 
 namespace {
-constexpr double kLife = 2.5;       // of a sighting [s]
+constexpr double kLife = 5.0;       // of a sighting [s]
 constexpr double kSameRobot = 0.3;  // [m]
 constexpr double kFarthest = 2.5;   // farther ones are neither in the way nor well measured [m]
 }  // namespace

@@ -34,7 +34,7 @@ void Player::start(const client::RobotDescription& robot) {
   requireKs21(robot);
   robot_ = robot;
   role_ = roleOf(robot);
-  robots_R_.reserve(32);
+  obstacles_R_.reserve(32);
   eyes_->start(robot);
   localisation_.start(robot);
   ball_.start(robot);
@@ -85,6 +85,19 @@ void Player::look(const client::SensorFrame& sensors) {
   obstacles_.observe(percepts_.robots);
 }
 
+/// @returns how many of obstacles_R_ are robots; these come first.
+std::size_t Player::collectObstacles(const PlanarPose& X_FR) {
+  const std::span<const Point> seen = obstacles_.places_R();
+  obstacles_R_.assign(seen.begin(), seen.end());
+  for (const client::TeamMessage& mate : team_ball_.freshMessages())
+    obstacles_R_.push_back(transformedBack(X_FR, {mate.pose.x, mate.pose.y}));
+  const std::size_t robot_count = obstacles_R_.size();
+  const double x = 0.5 * robot_.field.length, y = 0.5 * robot_.field.goal_width + robot_.field.post_radius;
+  for (const Point& post : {Point{x, y}, Point{x, -y}, Point{-x, y}, Point{-x, -y}})
+    obstacles_R_.push_back(transformedBack(X_FR, post));
+  return robot_count;
+}
+
 Situation Player::gather(const client::SensorFrame& sensors) {
   Situation now;
   now.time = sensors.time, now.dt = robot_.control_period;
@@ -97,11 +110,9 @@ Situation Player::gather(const client::SensorFrame& sensors) {
   now.team_ball_known = team_ball_.known(), now.team_ball_age = team_ball_.age(),
   now.team_ball_F = team_ball_.position();
   now.mates = team_ball_.freshMessages();
-  const std::span<const Point> seen = obstacles_.places_R();
-  robots_R_.assign(seen.begin(), seen.end());
-  for (const client::TeamMessage& mate : now.mates)
-    robots_R_.push_back(transformedBack(now.X_FR, {mate.pose.x, mate.pose.y}));
-  now.robots_R = robots_R_;
+  const std::size_t robot_count = collectObstacles(now.X_FR);
+  now.obstacles_R = obstacles_R_;
+  now.robots_R = now.obstacles_R.first(robot_count);
   now.settled = body_.settled(), now.kicking = body_.kicking(), now.kick_time = body_.kickTime();
   now.velocity = body_.velocity();
   return now;

@@ -31,6 +31,7 @@ class Player final : public client::ControlSoftware {
   void feelMotion(const client::SensorFrame& sensors);
   void heedReferee(const client::GameInfo& game);
   void look(const client::SensorFrame& sensors);
+  std::size_t collectObstacles(const PlanarPose& X_FR);
   Situation gather(const client::SensorFrame& sensors);
   void moveJoints(const client::SensorFrame& sensors, const Play& play, client::CommandFrame& commands);
   client::TeamMessage message(const Play& play) const;
@@ -49,7 +50,7 @@ class Player final : public client::ControlSoftware {
   BallModel ball_;
   TeamBall team_ball_;
   ObstacleMemory obstacles_;
-  std::vector<Point> robots_R_;  ///< seen ones and team mates of this step
+  std::vector<Point> obstacles_R_;  ///< of this step: robots seen, team mates, goal posts
 
   Behaviour behaviour_;
   BodyMotion body_;

@@ -36,6 +36,7 @@ struct Situation {
 
   std::span<const client::TeamMessage> mates;  ///< heard of in the last second
   std::span<const Point> robots_R;             ///< other robots, seen or heard of
+  std::span<const Point> obstacles_R;          ///< the same and the goal posts
 
   bool settled = false;  ///< the body stands still
   bool kicking = false;

@@ -49,7 +49,7 @@ TEST(ObstacleMemory, CarriesSightingsAlongAndForgetsThem) {
   memory.move({0.5, 0, kPi / 2}, 0.01);
   EXPECT_NEAR(memory.places_R()[0].x, 0.225, 0.01);
   EXPECT_NEAR(memory.places_R()[0].y, -0.55, 0.03);
-  for (int i = 0; i < 300; ++i) memory.move({}, 0.01);
+  for (int i = 0; i < 600; ++i) memory.move({}, 0.01);
   EXPECT_TRUE(memory.places_R().empty());
 }
 

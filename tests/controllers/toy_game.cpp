@@ -39,11 +39,13 @@ void ExactEyes::process(const client::SensorFrame& sensors, const Posture& postu
       const Point p = transformedBack(view_->X_FR, p_F);
       if (sees(posture, {p.x, p.y, 0.2}, camera)) list.push_back({colour, direction(p), norm(p), 0.02, 0.1, true});
     };
-    for (const double side : {-1.0, 1.0}) {
-      landmark({0.5 * robot_.field.length, side * (0.5 * robot_.field.goal_width + robot_.field.post_radius)},
-               LandmarkColour::kYellow, out.posts);
-      landmark({-0.5 * robot_.field.length, side * (0.5 * robot_.field.goal_width + robot_.field.post_radius)},
-               LandmarkColour::kBlue, out.posts);
+    const bool attacks_yellow = robot_.goal_colour_attacked == "yellow";
+    for (const double end : {-1.0, 1.0}) {
+      const LandmarkColour colour = (end > 0) == attacks_yellow ? LandmarkColour::kYellow : LandmarkColour::kBlue;
+      for (const double side : {-1.0, 1.0}) {
+        const double y = 0.5 * robot_.field.goal_width + robot_.field.post_radius;
+        landmark({end * 0.5 * robot_.field.length, side * y}, colour, out.posts);
+      }
     }
   }
 }
