@@ -7,10 +7,10 @@ namespace murosimf::controllers {
 
 namespace {
 
-constexpr double kArc = 0.40;                         // the keeper's distance from the goal's centre [m]
-constexpr double kLineDistance = 0.15;                // at least this far before the goal line [m]
+constexpr double kArc = 0.40;                        // the keeper's distance from the goal's centre [m]
+constexpr double kLineDistance = 0.15;               // at least this far before the goal line [m]
 constexpr double kZoneDepth = 0.9, kZoneSide = 0.3;  // keeper's zone: depth, beyond the posts [m]
-constexpr double kDistance = 0.7;                     // of supporters from the ball [m]
+constexpr double kDistance = 0.7;                    // of supporters from the ball [m]
 
 /// p, moved away from the ball to the distance that leaves it to the team mate there.
 Point apartFromBall(const Point& p, const Point& ball_F) {
