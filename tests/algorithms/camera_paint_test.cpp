@@ -79,7 +79,8 @@ TEST(CameraPaint, ObliqueViewAgreesWithManySamplesAPixel) {
       constexpr int kSamples = 10;
       int painted = 0;
       for (int k = 0; k < kSamples * kSamples; ++k) {
-        const double du = (k % kSamples + 0.5) / kSamples - 0.5, dv = (k / kSamples + 0.5) / kSamples - 0.5;
+        const int column = k % kSamples, row = k / kSamples;
+        const double du = (column + 0.5) / kSamples - 0.5, dv = (row + 0.5) / kSamples - 0.5;
         const RaySlopes r = unproject(canvas.camera, {u + du, v + dv});
         const Vector3 d = X_WC.rotation * Vector3{r.x, r.y, 1}, p = X_WC.translation + d * (-X_WC.translation.z / d.z);
         painted += d.z < 0 && isPainted(canvas.scene.ground, p.x, p.y);

@@ -158,7 +158,8 @@ TEST(ControlLoop, CommandsThatAreNoNumbersAreRefusedJointByJoint) {
     w.runFrame(loop, frame);
     if (frame < 10) continue;
     EXPECT_DOUBLE_EQ(w.joint(0, 0), 0.5);
-    EXPECT_DOUBLE_EQ(w.joint(0, 1), 0.1 * static_cast<double>(frame / 10));
+    const long steps = frame / 10;
+    EXPECT_DOUBLE_EQ(w.joint(0, 1), 0.1 * static_cast<double>(steps));
   }
   loop.applyCommands(80);  // the answer to the last sensor frame
   EXPECT_EQ(loop.counts().refused_joints, 7);

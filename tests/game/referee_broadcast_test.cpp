@@ -110,8 +110,8 @@ void seeOrange(ScriptedRobot& robot, const client::SensorFrame& sensors) {
     for (std::size_t i = 0; i < picture.rgb.size() / 3; ++i) {
       const int r = picture.rgb[3 * i], g = picture.rgb[3 * i + 1], b = picture.rgb[3 * i + 2];
       if (r < 2 * g || g < 3 * b || r < 60) continue;
-      n += 1, u += static_cast<double>(i % static_cast<std::size_t>(picture.width));
-      v += static_cast<double>(i / static_cast<std::size_t>(picture.width));
+      const std::size_t width = static_cast<std::size_t>(picture.width), column = i % width, row = i / width;
+      n += 1, u += static_cast<double>(column), v += static_cast<double>(row);
     }
     if (n >= 12) robot.report.percepts.push_back({client::Percept::Kind::kBall, picture.camera, u / n, v / n, 1, 0.66});
     robot.report.percepts.push_back({client::Percept::Kind::kBall, picture.camera, 1, 1, 1, 3});

@@ -86,8 +86,9 @@ inline void forCandidates(const Tile& tile, Visit visit) {
   const S y_low(tile.rays.y_low - tile.margin_y), y_high(tile.rays.y_high + tile.margin_y);
   const CastRow& row = tile.candidates;
   for (int first = 0; first < row.count; first += kWidth) {
-    unsigned found = laneBits((load<S>(row.x_low + first) <= x_high) & (load<S>(row.x_high + first) >= x_low) &
-                              (load<S>(row.y_low + first) <= y_high) & (load<S>(row.y_high + first) >= y_low));
+    const auto left = load<S>(row.x_low + first) <= x_high, right = load<S>(row.x_high + first) >= x_low;
+    const auto below = load<S>(row.y_low + first) <= y_high, above = load<S>(row.y_high + first) >= y_low;
+    unsigned found = laneBits(left & right & below & above);
     for (; found != 0; found &= found - 1) visit(first + __builtin_ctz(found));
   }
 }
