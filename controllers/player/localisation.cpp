@@ -23,6 +23,7 @@ constexpr double kSmallestWeight = -16;  // below it a hypothesis is dropped
 constexpr double kBearingSway = 0.015;   // of landmarks, beside the deviation that vision claims [rad]
 constexpr double kDistanceSway = 0.03;   // the same, per metre of distance
 constexpr double kFarthest = 15;         // no field is seen farther [m]
+constexpr double kLargestTurn = 100;     // of a heading that somebody tells [rad]
 
 bool plausible(const LandmarkPercept& percept) {
   return std::isfinite(percept.bearing) && percept.distance > 0.05 && percept.distance < kFarthest &&
@@ -53,7 +54,8 @@ void Localisation::start(const client::RobotDescription& robot) {
 }
 
 void Localisation::place(const PlanarPose& pose) {
-  if (!std::isfinite(pose.x + pose.y + pose.heading)) return;
+  const bool plausible = std::fabs(pose.x) + std::fabs(pose.y) < kFarthest && std::fabs(pose.heading) < kLargestTurn;
+  if (!plausible) return;
   memory_.clear();
   count_ = 1;
   beliefs_[0] = PoseBelief::at(pose, 0.05, 0.05);

@@ -23,7 +23,7 @@ namespace murosimf::controllers {
 class Localisation {
  public:
   void start(const client::RobotDescription& robot);
-  /// The robot was put somewhere by hand and told so.
+  /// The robot was put somewhere by hand and told so. A pose far off any field is skipped.
   void place(const PlanarPose& pose);
   /// Moves by one odometry increment (pose of the new R in the old R).
   void move(const PlanarPose& increment);

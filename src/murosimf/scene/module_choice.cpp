@@ -141,6 +141,16 @@ void readNumber(const NamedValue& parameter, double lowest, double highest, doub
   out = *number;
 }
 
+/// Reads one switch of a camera.
+void readSwitch(const NamedValue& parameter, bool& out, Diagnostics& diagnostics) {
+  const auto* value = std::get_if<bool>(&*parameter.value);
+  if (value == nullptr) {
+    diagnostics.error(parameter.value.where, fmt::format("{} is neither true nor false", parameter.name));
+    return;
+  }
+  out = *value;
+}
+
 }  // namespace
 
 CameraChoice cameraChoice(const RobotSettings& robot, const CameraMount& mount, double control_period,
@@ -164,11 +174,13 @@ CameraChoice cameraChoice(const RobotSettings& robot, const CameraMount& mount, 
         readNumber(parameter, 0, 0.5, result.settings.noise, diagnostics);
       } else if (parameter.name == "gain") {
         readNumber(parameter, 0.01, 100, result.settings.gain, diagnostics);
+      } else if (parameter.name == "antialias") {
+        readSwitch(parameter, result.settings.antialias, diagnostics);
       } else {
         diagnostics.error(parameter.name_where,
                           fmt::format("module ray_caster has no parameter \"{}\"; it knows noise, "
-                                      "gain{}",
-                                      parameter.name, didYouMean(parameter.name, {"noise", "gain"})));
+                                      "gain, antialias{}",
+                                      parameter.name, didYouMean(parameter.name, {"noise", "gain", "antialias"})));
       }
     }
   }

@@ -44,6 +44,7 @@ Pose RobotCamera::pose(const SceneView& view, long frame) const { return view.bo
 
 void RobotCamera::render(const RayScene& scene, const Pose& X_WC, long frame) {
   CastOptions options;
+  options.antialias = settings_.antialias;
   options.sensor.gain = static_cast<float>(settings_.gain);
   options.sensor.deviation = static_cast<float>(settings_.noise);
   options.sensor.key = noiseKey(seed_, path_, static_cast<std::uint64_t>(frame + 1));

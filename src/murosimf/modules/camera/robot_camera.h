@@ -17,6 +17,8 @@ struct RobotCameraSettings {
   double phase = 0;      ///< time of the first picture [s]
   double noise = 0.015;  ///< standard deviation, share of full scale
   double gain = 1;       ///< brightness of the sensor
+  /// Four samples a pixel where a silhouette passes, as a real sensor averages light over its pixels.
+  bool antialias = false;
 };
 
 class RobotCamera {
