@@ -2,7 +2,8 @@
 
 /// @file Kernel of body_poses.h.
 
-#include "murosimf/modules/kinematics/tree_rows.h"
+#include "murosimf/algorithms/tree_rows.h"
+#include "murosimf/linking/kernel.h"
 
 namespace murosimf {
 

@@ -2,7 +2,8 @@
 
 /// @file Kernel of kinematic_walking.h; the equations stand there.
 
-#include "murosimf/modules/kinematics/tree_rows.h"
+#include "murosimf/algorithms/tree_rows.h"
+#include "murosimf/linking/kernel.h"
 
 namespace murosimf {
 

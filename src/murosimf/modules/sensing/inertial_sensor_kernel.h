@@ -2,7 +2,8 @@
 
 /// @file Kernel of inertial_sensor.h.
 
-#include "murosimf/modules/kinematics/tree_rows.h"
+#include "murosimf/algorithms/tree_rows.h"
+#include "murosimf/linking/kernel.h"
 
 namespace murosimf {
 

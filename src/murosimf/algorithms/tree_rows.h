@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "murosimf/algorithms/tree_table.h"
-#include "murosimf/linking/kernel.h"
 
 namespace murosimf {
 

@@ -1,4 +1,4 @@
-#include "murosimf/modules/kinematics/tree_rows.h"
+#include "murosimf/algorithms/tree_rows.h"
 
 namespace murosimf {
 

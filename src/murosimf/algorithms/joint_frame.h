@@ -1,0 +1,126 @@
+#pragma once
+
+/// @file The step from a body of a tree to the next one, for recursions that carry velocities, forces and inertias.
+///
+/// A row of the table puts the child's frame C at X_PC = X_PF J(q) of its parent P. JointFrame is that pose for one
+/// row, with the joint's axis and kind known to the compiler: a turn about a coordinate axis mixes two components and
+/// leaves the third alone, which is a third of the work of a general rotation. forJoint() chooses among the six kinds.
+
+#include "murosimf/algorithms/tree_rows.h"
+#include "murosimf/math/spatial.h"
+
+namespace murosimf {
+inline namespace MUROSIMF_ISA {
+
+template <int A, class S>
+inline S component(const Vec3<S>& v) {
+  return A == 0 ? v.x : A == 1 ? v.y : v.z;
+}
+template <int A, class S>
+inline S& component(Vec3<S>& v) {
+  return A == 0 ? v.x : A == 1 ? v.y : v.z;
+}
+
+/// J v for a turn J about the coordinate axis A.
+template <int A, class S>
+inline Vec3<S> turnedAbout(const Vec3<S>& v, const SinCos<S>& angle) {
+  constexpr int B = (A + 1) % 3, C = (A + 2) % 3;
+  Vec3<S> result = v;
+  component<B>(result) = fnma(angle.sin, component<C>(v), angle.cos * component<B>(v));
+  component<C>(result) = fma(angle.cos, component<C>(v), angle.sin * component<B>(v));
+  return result;
+}
+/// J^T v.
+template <int A, class S>
+inline Vec3<S> turnedBackAbout(const Vec3<S>& v, const SinCos<S>& angle) {
+  return turnedAbout<A>(v, SinCos<S>{-angle.sin, angle.cos});
+}
+
+/// What a joint's position does to its frame: sine and cosine of a revolute joint's angle; for a prismatic joint its
+/// displacement [m] stands in the place of the sine.
+template <class S>
+inline SinCos<S> jointTurn(const KernelRow& row, S q) {
+  return row.prismatic ? SinCos<S>{q, S(1)} : sincos(q);
+}
+
+/// X_PC of one row. A: axis of the joint.
+template <int A, bool kSlides, class S>
+struct JointFrame {
+  static constexpr int kAxis = A;
+  static constexpr bool kPrismatic = kSlides;
+
+  const KernelRow& row;
+  const SinCos<S> turn;
+
+  /// R_CP v: a vector of the parent in the child's axes.
+  Vec3<S> into(const Vec3<S>& v) const {
+    const Vec3<S> u = row.turned ? applyTransposed(rotationFrom<S>(row.rotation), v) : v;
+    return kSlides ? u : turnedBackAbout<A>(u, turn);
+  }
+  /// R_PC v.
+  Vec3<S> outOf(const Vec3<S>& v) const {
+    const Vec3<S> u = kSlides ? v : turnedAbout<A>(v, turn);
+    return row.turned ? rotationFrom<S>(row.rotation) * u : u;
+  }
+  /// p_PC: the child's origin from the parent's, in the parent's axes.
+  Vec3<S> origin() const {
+    const Vec3<S> p{S(row.translation[0]), S(row.translation[1]), S(row.translation[2])};
+    if constexpr (!kSlides) return p;
+    const double* a = row.rotation + 3 * A;  // R_PF e_A
+    return {fma(S(a[0]), turn.sin, p.x), fma(S(a[1]), turn.sin, p.y), fma(S(a[2]), turn.sin, p.z)};
+  }
+  SpatialMotion<S> into(const SpatialMotion<S>& a) const { return {into(a.w), into(a.v + cross(a.w, origin()))}; }
+  SpatialForce<S> outOf(const SpatialForce<S>& a) const {
+    const Vec3<S> f = outOf(a.f);
+    return {outOf(a.n) + cross(origin(), f), f};
+  }
+  ArticulatedInertia<S> outOf(ArticulatedInertia<S> a) const {
+    if constexpr (!kSlides) a = {turnedAbout<A>(a.I, turn), turnedAbout<A>(a.H, turn), turnedAbout<A>(a.M, turn)};
+    if (row.turned) {
+      const Rotation<S> R_PF = rotationFrom<S>(row.rotation);
+      a = {turned(R_PF, a.I), turned(R_PF, a.H), turned(R_PF, a.M)};
+    }
+    return shifted(a, origin());
+  }
+  RigidInertia<S> outOf(RigidInertia<S> a) const {
+    if constexpr (!kSlides) a = {a.m, turnedAbout<A>(a.mc, turn), turnedAbout<A>(a.I, turn)};
+    if (row.turned) {
+      const Rotation<S> R_PF = rotationFrom<S>(row.rotation);
+      a = {a.m, R_PF * a.mc, turned(R_PF, a.I)};
+    }
+    return shifted(a, origin());
+  }
+  /// The component of a force that the joint's motor feels: S^T f.
+  static S along(const SpatialForce<S>& a) { return component<A>(kSlides ? a.f : a.n); }
+  static S along(const SpatialMotion<S>& a) { return component<A>(kSlides ? a.v : a.w); }
+  /// a += S rate: the joint's own motion.
+  static void add(SpatialMotion<S>& a, S rate) { component<A>(kSlides ? a.v : a.w) += rate; }
+  /// S rate.
+  static SpatialMotion<S> motion(S rate) {
+    SpatialMotion<S> result{{S(0), S(0), S(0)}, {S(0), S(0), S(0)}};
+    component<A>(kSlides ? result.v : result.w) = rate;
+    return result;
+  }
+};
+
+/// Calls visit(frame) with the frame of this row's joint.
+template <class S, class Visit>
+inline void forJoint(const KernelRow& row, const SinCos<S>& turn, Visit&& visit) {
+  switch (row.axis + (row.prismatic ? 3 : 0)) {
+    case 0:
+      return visit(JointFrame<0, false, S>{row, turn});
+    case 1:
+      return visit(JointFrame<1, false, S>{row, turn});
+    case 2:
+      return visit(JointFrame<2, false, S>{row, turn});
+    case 3:
+      return visit(JointFrame<0, true, S>{row, turn});
+    case 4:
+      return visit(JointFrame<1, true, S>{row, turn});
+    default:
+      return visit(JointFrame<2, true, S>{row, turn});
+  }
+}
+
+}  // namespace MUROSIMF_ISA
+}  // namespace murosimf
