@@ -56,8 +56,9 @@ struct Batch {
   std::vector<LinkedPass> passes;  ///< in the order in which they run
   std::vector<ColumnLayout> columns;
   std::size_t state_size = 0, step_size = 0, own_size = 0;  ///< numbers per lane
-  std::vector<AlignedDoubles> state, own;                   ///< one piece a block
-  AlignedDoubles shared;                                    ///< constants equal for all members
+  std::size_t sum_size = 0;  ///< of them at the beginning of step memory: sums, cleared before each evaluation
+  std::vector<AlignedDoubles> state, own;  ///< one piece a block
+  AlignedDoubles shared;                   ///< constants equal for all members
 
   int blockCount() const { return static_cast<int>(state.size()); }
   BlockMemory block(int index, double* step_memory) const {

@@ -27,6 +27,9 @@ struct StepTime {
   double t = 0;    ///< simulated time at the beginning [s]
   double dt = 0;   ///< length: the module's own period [s]
   long frame = 0;  ///< number of the frame in which it is made, from 0
+  /// Evaluations only: length of the implicit step for which forces also tell how they change with velocity, as added
+  /// inertia; 0: they are wanted as they are now [s].
+  double implicit = 0;
 };
 
 }  // namespace murosimf

@@ -3,6 +3,7 @@
 /// @file What a module takes and gives, said in words that can be listed, checked and scheduled.
 
 #include <any>
+#include <stdexcept>
 #include <string_view>
 #include <type_traits>
 #include <vector>
@@ -20,12 +21,15 @@ enum class Access {
   kReadsIfAdded,  ///< the same, but nobody needs to write it: a port for a sensor that a robot may lack
   kReadsLast,     ///< a variable as it stood before this step: the one way to close a loop, visible here
   kAdds,          ///< a variable that this module alone writes
+  kAccumulates,   ///< a sum to which several modules add; zero before each evaluation
 };
 
 /// The part of the frame in which a module's pass runs.
 enum class Phase {
   kPrescribe,  ///< robots whose motion is given choose their path to the end of the step, before contacts are solved
-  kAdvance,    ///< robots with dynamics advance under the contacts' forces
+  kEvaluate,   ///< what an integrator asks for, once or often a step: forces and accelerations in the state of the
+               ///< moment
+  kAdvance,    ///< robots with dynamics advance under the contacts' forces: integrators
   kSense,      ///< sensors read the state at the end of the frame
 };
 
@@ -44,6 +48,7 @@ struct DeclaredProperty {
   std::any otherwise;    ///< constants with default: the default
 
   bool isConstant() const { return access == Access::kNeeds || access == Access::kUses; }
+  bool isWritten() const { return access == Access::kAdds || access == Access::kAccumulates; }
   bool isRead() const {
     return access == Access::kReads || access == Access::kReadsIfAdded || access == Access::kReadsLast;
   }
@@ -86,6 +91,12 @@ class Declaration {
   template <class T>
   void adds(const Variable<T>& property, std::string_view of = subset::kSelf) {
     add(property, Access::kAdds, of);
+  }
+  /// The variable must live for a step only (Storage::kStep); whoever reads it runs behind all that add to it.
+  template <class T>
+  void accumulates(const Variable<T>& property, std::string_view of = subset::kSelf) {
+    if (property.storage != Storage::kStep) throw std::logic_error("sums live for a step only");
+    add(property, Access::kAccumulates, of);
   }
   void runsIn(Phase phase) { phase_ = phase; }
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "murosimf/linking/integrator.h"
 #include "murosimf/linking/linker_plan.h"
 #include "murosimf/linking/links.h"
 #include "murosimf/linking/schedule.h"
@@ -44,7 +45,7 @@ void schedule(Assembly& assembly, const std::string& whose, Diagnostics& diagnos
 std::string addedNames(const Declaration& declaration) {
   std::string names;
   for (const DeclaredProperty& p : declaration.properties()) {
-    if (p.access == Access::kAdds) names += (names.empty() ? "" : ", ") + std::string(p.name);
+    if (p.isWritten()) names += (names.empty() ? "" : ", ") + std::string(p.name);
   }
   return names;
 }
@@ -145,17 +146,23 @@ void Linker::layOut(const std::vector<Assembly*>& members, Batch& batch) const {
     if (!module.scheduled) continue;
     for (const DeclaredProperty& p : module.declaration.properties()) {
       if (p.isConstant() && p.components > 0 && !module.outside()) constants.push_back(&p);
-      if (p.access == Access::kAdds) variables.push_back(&p);
+      if (p.isWritten()) variables.push_back(&p);
     }
   }
-  std::sort(variables.begin(), variables.end(), [](const DeclaredProperty* a, const DeclaredProperty* b) {
-    return std::tie(a->name, a->subset) < std::tie(b->name, b->subset);
-  });
+  const auto key = [](const DeclaredProperty* p) {  // sums first: they are cleared in one go
+    return std::tuple(p->access != Access::kAccumulates, p->name, p->subset);
+  };
+  std::sort(variables.begin(), variables.end(),
+            [&](const DeclaredProperty* a, const DeclaredProperty* b) { return key(a) < key(b); });
+  variables.erase(std::unique(variables.begin(), variables.end(),
+                              [](const DeclaredProperty* a, const DeclaredProperty* b) { return a->sameColumn(*b); }),
+                  variables.end());
   for (const DeclaredProperty* p : variables) {
     const int objects = static_cast<int>(world_.members(one.id, p->subset).size());
     const bool step = p->storage == Storage::kStep;
     append(batch, *p, step ? MemoryKind::kStep : MemoryKind::kState, step ? batch.step_size : batch.state_size,
            objects);
+    if (p->access == Access::kAccumulates) batch.sum_size = batch.step_size;
   }
   const std::size_t width = static_cast<std::size_t>(batch.width);
   const std::size_t blocks = (members.size() + width - 1) / width;
@@ -202,6 +209,19 @@ void Linker::fillConstants(Batch& batch, const std::vector<const DeclaredPropert
   }
 }
 
+namespace {
+
+/// What the integrators of a batch ask for: the evaluated modules that have been linked so far.
+Evaluation evaluationOf(const Batch& batch) {
+  std::vector<const BlockModule*> passes;
+  for (const LinkedPass& pass : batch.passes) {
+    if (pass.phase == Phase::kEvaluate) passes.push_back(pass.module.get());
+  }
+  return {std::move(passes), batch.sum_size, batch.width};
+}
+
+}  // namespace
+
 void Linker::linkPasses(Assembly& representative, Batch& batch, Diagnostics& diagnostics) const {
   for (Planned& planned : representative.modules) {
     if (planned.outside() || !planned.scheduled) continue;
@@ -213,6 +233,7 @@ void Linker::linkPasses(Assembly& representative, Batch& batch, Diagnostics& dia
                         fmt::format("{}: module {}: {}", world_.path(representative.id), planned.name, problem.what()));
       continue;
     }
+    if (auto* integrator = dynamic_cast<Integrator*>(planned.module.get())) integrator->use(evaluationOf(batch));
     for (int b = 0; b < batch.blockCount(); ++b) planned.module->initialise(batch.block(b, nullptr));
     batch.passes.push_back({std::move(planned.module), planned.name, planned.declaration.phase(), planned.period,
                             planned.period * options_.frame_length, true});

@@ -56,6 +56,7 @@ class Linker {
   std::vector<Assembly> plan(Diagnostics& diagnostics) const;
   std::optional<Planned> planModule(const Assignment& assignment, Diagnostics& diagnostics) const;
   void checkAssembly(const Assembly& assembly, Diagnostics& diagnostics) const;
+  void checkIntegrator(const Assembly& assembly, Diagnostics& diagnostics) const;
   void checkConstant(const Assembly& assembly, const Planned& module, const DeclaredProperty& property,
                      Diagnostics& diagnostics) const;
   void checkWriter(const Assembly& assembly, const Planned& module, const DeclaredProperty& property,

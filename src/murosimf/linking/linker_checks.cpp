@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "murosimf/linking/integrator.h"
 #include "murosimf/linking/linker_plan.h"
 #include "murosimf/linking/schedule.h"
 
@@ -11,8 +12,9 @@ namespace murosimf {
 
 namespace {
 
-std::string_view nameOf(Phase phase) {
-  return phase == Phase::kPrescribe ? "prescribe" : phase == Phase::kAdvance ? "advance" : "sense";
+/// Evaluations run inside of the integrator's step.
+Phase partOfFrame(const Declaration& declaration) {
+  return declaration.phase() == Phase::kEvaluate ? Phase::kAdvance : declaration.phase();
 }
 
 std::string kindOf(const DeclaredProperty& p) {
@@ -25,13 +27,32 @@ std::string unitOf(const DeclaredProperty& p) { return p.unit.empty() ? "" : fmt
 
 }  // namespace
 
+void Linker::checkIntegrator(const Assembly& assembly, Diagnostics& diagnostics) const {
+  const auto evaluated = std::find_if(assembly.modules.begin(), assembly.modules.end(), [](const Planned& module) {
+    return module.declaration.phase() == Phase::kEvaluate;
+  });
+  const bool asked = std::any_of(assembly.modules.begin(), assembly.modules.end(), [](const Planned& module) {
+    return dynamic_cast<const Integrator*>(module.module.get()) != nullptr;
+  });
+  if (asked || evaluated == assembly.modules.end()) return;
+  std::vector<std::string_view> names;
+  for (const ModuleEntry& entry : registry_.entries()) {
+    if (dynamic_cast<const Integrator*>(makeDefault(entry).get()) != nullptr) names.push_back(entry.name);
+  }
+  diagnostics.error(evaluated->where, fmt::format("{}: module {} runs when an integrator asks for it, and there is none"
+                                                  "{}{}",
+                                                  world_.path(assembly.id), evaluated->name,
+                                                  names.empty() ? "" : "; expected ", fmt::join(names, " or ")));
+}
+
 void Linker::checkAssembly(const Assembly& assembly, Diagnostics& diagnostics) const {
+  checkIntegrator(assembly, diagnostics);
   for (const Planned& module : assembly.modules) {
     for (const DeclaredProperty& property : module.declaration.properties()) {
       checkMeaning(assembly, module, property, diagnostics);
       if (property.isConstant()) checkConstant(assembly, module, property, diagnostics);
       if (property.isRead()) checkReader(assembly, module, property, diagnostics);
-      if (property.access == Access::kAdds) checkWriter(assembly, module, property, diagnostics);
+      if (property.isWritten()) checkWriter(assembly, module, property, diagnostics);
     }
   }
 }
@@ -61,7 +82,11 @@ void Linker::checkWriter(const Assembly& assembly, const Planned& module, const 
   for (const Planned& other : assembly.modules) {
     if (other.added(property) != nullptr) writers.push_back(&other);
   }
-  if (writers.size() < 2 || writers.front() != &module) return;  // reported once, where the first one stands
+  const bool all_add_to_it = std::all_of(writers.begin(), writers.end(), [&](const Planned* writer) {
+    return writer->added(property)->access == Access::kAccumulates;
+  });
+  if (writers.size() < 2 || all_add_to_it || writers.front() != &module)
+    return;  // reported once, where the first one stands
   std::vector<std::string> names;
   for (const Planned* writer : writers) names.push_back(writer->name);
   diagnostics.error(
@@ -76,7 +101,7 @@ std::string Linker::modulesThatAdd(const DeclaredProperty& property) const {
     Declaration declaration;
     makeDefault(entry)->declare(declaration);
     for (const DeclaredProperty& p : declaration.properties()) {
-      if (p.access == Access::kAdds && p.sameColumn(property)) names.push_back(entry.name);
+      if (p.isWritten() && p.sameColumn(property)) names.push_back(entry.name);
     }
   }
   return names.empty() ? "" : fmt::format("; expected {}", fmt::join(names, " or "));
@@ -95,12 +120,12 @@ void Linker::checkReader(const Assembly& assembly, const Planned& module, const 
     return;
   }
   const bool together = !module.outside() && !writer->outside() && module.period == writer->period &&
-                        module.declaration.phase() == writer->declaration.phase();
+                        partOfFrame(module.declaration) == partOfFrame(writer->declaration);
   const bool lasting = writer->added(property)->storage != Storage::kStep;
   if (!lasting && (!together || property.access == Access::kReadsLast)) {
     diagnostics.error(where, fmt::format("{}, which lives only while {} and what runs with it step (phase {}, every {} "
                                          "frame{}); expected a variable that is kept",
-                                         start, writer->name, nameOf(writer->declaration.phase()), writer->period,
+                                         start, writer->name, wordFor(writer->declaration.phase()), writer->period,
                                          writer->period == 1 ? "" : "s"));
   } else if (property.in_step && !writer->outside() && module.period != writer->period) {
     diagnostics.error(where, fmt::format("{} in step with {}, but every {} s instead of {} s; expected equal periods",

@@ -10,7 +10,7 @@ namespace murosimf {
 
 const DeclaredProperty* Linker::Planned::added(const DeclaredProperty& property) const {
   for (const DeclaredProperty& p : declaration.properties()) {
-    if (p.access == Access::kAdds && p.sameColumn(property)) return &p;
+    if (p.isWritten() && p.sameColumn(property)) return &p;
   }
   return nullptr;
 }

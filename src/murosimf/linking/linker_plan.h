@@ -18,7 +18,7 @@ struct Linker::Planned {
   bool scheduled = true;
 
   bool outside() const { return module == nullptr; }
-  /// The line with which it adds the column of `property`; null when it does not.
+  /// The line with which it writes the column of `property`; null when it does not.
   const DeclaredProperty* added(const DeclaredProperty& property) const;
 };
 

@@ -10,14 +10,20 @@ namespace {
 
 bool adds(const Declaration& d, const DeclaredProperty& p) {
   return std::any_of(d.properties().begin(), d.properties().end(),
-                     [&](const DeclaredProperty& q) { return q.access == Access::kAdds && q.sameColumn(p); });
+                     [&](const DeclaredProperty& q) { return q.isWritten() && q.sameColumn(p); });
 }
 
-/// The first variable that `reader` reads and `writer` adds; null when there is none.
+/// True for the state that an integrator steps and that evaluations read: they run inside of its step.
+bool isStateOfTheMoment(const ScheduledModule& writer, const ScheduledModule& reader, const DeclaredProperty& p) {
+  return reader.declaration->phase() == Phase::kEvaluate && writer.declaration->phase() == Phase::kAdvance &&
+         p.storage == Storage::kState;
+}
+
+/// The first variable that `reader` reads and `writer` writes before; null when there is none.
 const DeclaredProperty* link(const ScheduledModule& writer, const ScheduledModule& reader) {
   for (const DeclaredProperty& p : reader.declaration->properties()) {
     const bool now = p.access == Access::kReads || p.access == Access::kReadsIfAdded;
-    if (now && adds(*writer.declaration, p)) return &p;
+    if (now && adds(*writer.declaration, p) && !isStateOfTheMoment(writer, reader, p)) return &p;
   }
   return nullptr;
 }
@@ -63,7 +69,7 @@ struct Search {
 std::vector<std::size_t> orderModules(const std::vector<ScheduledModule>& modules, const std::string& whose,
                                       Diagnostics& diagnostics) {
   Search search{modules, whose, diagnostics, std::vector<int>(modules.size(), 0), {}, {}};
-  for (const Phase phase : {Phase::kPrescribe, Phase::kAdvance, Phase::kSense}) {
+  for (const Phase phase : {Phase::kPrescribe, Phase::kEvaluate, Phase::kAdvance, Phase::kSense}) {
     for (std::size_t i = 0; i < modules.size(); ++i) {
       if (modules[i].declaration->phase() == phase) search.visit(i);
     }
@@ -113,14 +119,27 @@ std::string_view wordFor(Access access) {
       return "reads last";
     case Access::kAdds:
       return "adds";
+    case Access::kAccumulates:
+      return "adds to";
   }
   return "";
 }
-std::string_view wordFor(Phase phase) {
-  return phase == Phase::kPrescribe ? "prescribe" : phase == Phase::kAdvance ? "advance" : "sense";
-}
 
 }  // namespace
+
+std::string_view wordFor(Phase phase) {
+  switch (phase) {
+    case Phase::kPrescribe:
+      return "prescribe";
+    case Phase::kEvaluate:
+      return "evaluate";
+    case Phase::kAdvance:
+      return "advance";
+    case Phase::kSense:
+      return "sense";
+  }
+  return "";
+}
 
 namespace {
 

@@ -26,6 +26,9 @@ std::vector<std::size_t> orderModules(const std::vector<ScheduledModule>& module
 /// Clears `wanted` of modules that add no state and whose variables no wanted module reads.
 void dropUnread(std::vector<ScheduledModule>& modules);
 
+/// "prescribe", "evaluate", "advance", "sense".
+std::string_view wordFor(Phase phase);
+
 /// A module of this entry with its default parameters.
 std::unique_ptr<BlockModule> makeDefault(const ModuleEntry& entry);
 
