@@ -63,6 +63,7 @@ struct RigidInertia {
   Vec3<S> mc;       ///< m p_BC [kg m]
   Symmetric3<S> I;  ///< about the origin [kg m^2]
 
+  friend bool operator==(const RigidInertia&, const RigidInertia&) = default;
   RigidInertia& operator+=(const RigidInertia& b) { return m += b.m, mc += b.mc, I += b.I, *this; }
   friend SpatialForce<S> operator*(const RigidInertia& a, const SpatialMotion<S>& b) {
     return {a.I * b.w + cross(a.mc, b.v), b.v * a.m - cross(a.mc, b.w)};

@@ -1,6 +1,10 @@
 #include "murosimf/modules/all_modules.h"
 
 #include "murosimf/modules/actuation/ideal_servo.h"
+#include "murosimf/modules/dynamics/multibody_dynamics.h"
+#include "murosimf/modules/dynamics/tree_motion.h"
+#include "murosimf/modules/integration/euler.h"
+#include "murosimf/modules/integration/runge_kutta.h"
 #include "murosimf/modules/kinematics/body_poses.h"
 #include "murosimf/modules/motion/kinematic_walking.h"
 #include "murosimf/modules/sensing/inertial_sensor.h"
@@ -13,6 +17,14 @@ ModuleRegistry allModules() {
   all.add<KinematicWalking>("kinematic_walking", "motion", "the stance foot is pinned to the ground",
                             KinematicWalking::parameters());
   all.add<BodyPoses>("body_poses", "kinematics", "world poses of all bodies");
+  all.add<TreeMotionPass>("tree_motion", "kinematics", "velocities of all bodies in their own axes");
+  all.add<MultibodyDynamics>("multibody_dynamics", "motion", "every body has its mass, every joint its torque");
+  all.add<ImplicitEuler>("implicit_euler", "integration", "forces look ahead to the end of the step; order 1");
+  all.add<SemiImplicitEuler>("semi_implicit_euler", "integration",
+                             "moves with the velocity at the step's end; order 1");
+  all.add<ExplicitEuler>("explicit_euler", "integration", "moves with the velocity at the step's beginning; order 1");
+  all.add<Midpoint>("midpoint", "integration", "two evaluations a step; order 2");
+  all.add<RungeKutta4>("runge_kutta_4", "integration", "four evaluations a step; order 4");
   all.add<InertialSensor>("inertial_sensor", "sensing", "gyroscope and accelerometer without noise");
   return all;
 }

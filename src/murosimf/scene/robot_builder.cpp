@@ -48,6 +48,8 @@ void addJoints(World& world, ObjectId robot, const RobotBlueprint& b) {
     world.set(id, kUpperLimit, joint.limits.upper, joint.where);
     const double fastest = joint.servo ? joint.servo->no_load_speed : joint.limits.largest_velocity;
     world.set(id, kLargestVelocity, fastest, joint.where);
+    world.set(id, kJointDamping, joint.damping, joint.where);
+    world.set(id, kArmature, joint.servo ? joint.servo->armature : 0.0, joint.where);
   }
   world.defineSubset(robot, subset::kJoints, std::move(joints));
 }
@@ -57,7 +59,11 @@ void addBodies(World& world, ObjectId robot, const RobotBlueprint& b) {
   for (std::size_t row = 0; row < b.flat.row_names.size(); ++row) {
     const ObjectId id = world.add(robot, b.flat.row_names[row]);
     bodies.push_back(id);
-    world.set(id, kMass, b.flat.row_mass[row].mass);
+    const MassProperties& body = b.flat.row_mass[row];
+    const SymmetricMatrix& I = body.I_C_B;
+    world.set(id, kMass, body.mass);
+    const RigidInertia<double> about_centre{body.mass, {}, {I.xx, I.yy, I.zz, I.xy, I.xz, I.yz}};
+    world.set(id, kBodyInertia, shifted(about_centre, body.p_BC_B));
   }
   world.defineSubset(robot, subset::kBodies, std::move(bodies));
 }

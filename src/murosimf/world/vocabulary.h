@@ -11,6 +11,7 @@
 #include "murosimf/algorithms/ray_scene.h"
 #include "murosimf/algorithms/shape.h"
 #include "murosimf/algorithms/tree_table.h"
+#include "murosimf/math/spatial.h"
 #include "murosimf/world/property.h"
 #include "murosimf/world/surface_table.h"
 
@@ -47,6 +48,10 @@ struct ServoCommand {
   double position = 0, velocity = 0, torque = 0, kp = 0, kd = 0;
 };
 
+/// Ten numbers that robots of one batch may differ in.
+template <>
+inline constexpr bool kIsNumeric<RigidInertia<double>> = true;
+
 // Constants of robots.
 inline constexpr Constant<TreeTable> kTree{"tree", "", "kinematic tree of bodies and joints"};
 inline constexpr Constant<std::vector<SolePlace>> kSoles{"soles", "", "places of the soles, right and left"};
@@ -56,6 +61,10 @@ inline constexpr Constant<double> kLowerLimit{"lower_limit", "rad", "smallest jo
 inline constexpr Constant<double> kUpperLimit{"upper_limit", "rad", "largest joint position"};
 inline constexpr Constant<double> kLargestVelocity{"largest_velocity", "rad/s", "no-load speed of the servo"};
 inline constexpr Constant<double> kInitialPosition{"initial_position", "rad", "joint position at the start"};
+inline constexpr Constant<RigidInertia<double>> kBodyInertia{
+    "body_inertia", "SI", "mass, mass times centre of mass, inertia about the origin"};
+inline constexpr Constant<double> kArmature{"armature", "kg m^2", "rotor inertia seen at the joint"};
+inline constexpr Constant<double> kJointDamping{"joint_damping", "N m s/rad", "viscous friction of the joint"};
 inline constexpr Constant<double> kBlockingRadius{"blocking_radius", "m",
                                                   "radius of the upright cylinder that kinematic robots keep clear of"};
 // Constants of single bodies.
@@ -87,6 +96,8 @@ inline constexpr Variable<Pose> kBasePoseLast{"base_pose_last", "m", "X_WB at th
 inline constexpr Variable<Pose> kBodyPose{"body_pose", "m", "X_WB of each body at the end of the step", Storage::kKept};
 inline constexpr Variable<Pose> kBodyPoseLast{"body_pose_last", "m", "X_WB of each body at the beginning of the step",
                                               Storage::kKept};
+inline constexpr Variable<SpatialMotion<double>> kBaseVelocity{"base_velocity", "SI",
+                                                               "w and v of the base's origin, base axes"};
 inline constexpr Variable<Vector3> kBodyVelocity{"body_velocity", "m/s", "v_WB of a free body's centre"};
 inline constexpr Variable<Vector3> kBodyRate{"body_rate", "rad/s", "w_WB of a free body, world axes"};
 inline constexpr Variable<double> kSoleClearance{"sole_clearance", "m", "height of the sole's lowest corner",
@@ -96,6 +107,22 @@ inline constexpr Variable<double> kSupportSlip{"support_slip", "m/s", "speed of 
                                                Storage::kKept};
 inline constexpr Variable<double> kFlight{"flight", "1", "1 when the pinned foot would have to be pulled to the ground",
                                           Storage::kKept};
+
+// Variables that live while an integrator evaluates forces; everything of a body in its own axes, about its origin.
+inline constexpr Variable<SinCos<double>> kJointTurn{"joint_turn", "1", "sine and cosine of q; sliding: q [m] and 1",
+                                                     Storage::kStep};
+inline constexpr Variable<SpatialMotion<double>> kBodyTwist{"body_twist", "SI", "angular velocity and velocity",
+                                                            Storage::kStep};
+inline constexpr Variable<Vector3> kBodyUp{"body_up", "1", "the world's z", Storage::kStep};
+inline constexpr Variable<double> kBodyHeight{"body_height", "m", "of the origin over the ground", Storage::kStep};
+inline constexpr Variable<double> kJointTorque{"joint_torque", "N m", "sum of what acts on the joint", Storage::kStep};
+inline constexpr Variable<double> kJointInertia{
+    "joint_inertia", "kg m^2", "sum of rotors' and implicit servos' inertia at the joint", Storage::kStep};
+inline constexpr Variable<SpatialForce<double>> kBodyForce{"body_force", "SI", "sum of moments and forces on the body",
+                                                           Storage::kStep};
+inline constexpr Variable<double> kJointAcceleration{"joint_acceleration", "rad/s^2", "of q", Storage::kStep};
+inline constexpr Variable<SpatialMotion<double>> kBodyAcceleration{
+    "body_acceleration", "SI", "proper: what an accelerometer feels", Storage::kStep};
 
 // Variables of sensors.
 inline constexpr Variable<Vector3> kGyroscope{"gyroscope", "rad/s", "angular velocity in the sensor's axes",

@@ -1,0 +1,66 @@
+#include "murosimf/modules/dynamics/multibody_dynamics.h"
+
+#include "murosimf/linking/links.h"
+#include "murosimf/world/vocabulary.h"
+
+namespace murosimf {
+
+namespace {
+
+constexpr Variable<double> kTorqueInAll{"torque_in_all", "N m", "with friction", Storage::kStep};
+constexpr Variable<double> kInertiaInAll{"inertia_in_all", "kg m^2", "with rotor and friction", Storage::kStep};
+constexpr Variable<JointResponse<double>> kJointResponse{"joint_response", "SI", "of the way inward", Storage::kStep};
+// The few slots of GatherPlan stand in the first places of a column with one place a body.
+constexpr Variable<ArticulatedInertia<double>> kSlotInertia{"slot_inertia", "SI", "what children hand on",
+                                                            Storage::kStep};
+constexpr Variable<SpatialForce<double>> kSlotBias{"slot_bias", "SI", "what children hand on", Storage::kStep};
+
+}  // namespace
+
+void MultibodyDynamics::declare(Declaration& d) const {
+  d.runsIn(Phase::kEvaluate);
+  d.needs(kTree);
+  d.needs(kBodyInertia, subset::kBodies);
+  d.uses(kArmature, 0.0, subset::kJoints);
+  d.uses(kJointDamping, 0.0, subset::kJoints);
+  d.reads(kJointVelocity, subset::kJoints);
+  d.reads(kJointTurn, subset::kJoints);
+  d.reads(kBodyTwist, subset::kBodies);
+  d.accumulates(kJointTorque, subset::kJoints);
+  d.accumulates(kJointInertia, subset::kJoints);
+  d.accumulates(kBodyForce, subset::kBodies);
+  d.adds(kJointAcceleration, subset::kJoints);
+  d.adds(kBodyAcceleration, subset::kBodies);
+  d.adds(kTorqueInAll, subset::kJoints);
+  d.adds(kInertiaInAll, subset::kJoints);
+  d.adds(kJointResponse, subset::kJoints);
+  d.adds(kSlotInertia, subset::kBodies);
+  d.adds(kSlotBias, subset::kBodies);
+}
+
+void MultibodyDynamics::link(Links& links) {
+  const TreeTable tree = links.shared(kTree);
+  rows_ = kernelRows(tree);
+  gather_ = planGathering(tree);
+  MultibodyArguments& a = arguments_;
+  a.tree = {rows_.data(), gather_.rows.data(), tree.bodyCount()};
+  a.turn = links.column(kJointTurn, subset::kJoints);
+  a.dq = links.column(kJointVelocity, subset::kJoints);
+  a.torque = links.column(kJointTorque, subset::kJoints);
+  a.joint_inertia = links.column(kJointInertia, subset::kJoints);
+  a.armature = links.column(kArmature, subset::kJoints);
+  a.damping = links.column(kJointDamping, subset::kJoints);
+  a.inertia = links.column(kBodyInertia, subset::kBodies);
+  a.twist = links.column(kBodyTwist, subset::kBodies);
+  a.force = links.column(kBodyForce, subset::kBodies);
+  a.acceleration = links.column(kBodyAcceleration, subset::kBodies);
+  a.joint_acceleration = links.column(kJointAcceleration, subset::kJoints);
+  a.response = links.column(kJointResponse, subset::kJoints);
+  a.slot_inertia = links.column(kSlotInertia, subset::kBodies);
+  a.slot_bias = links.column(kSlotBias, subset::kBodies);
+  a.sum_torque = links.column(kTorqueInAll, subset::kJoints);
+  a.sum_inertia = links.column(kInertiaInAll, subset::kJoints);
+  kernel_ = kernelOfWidth<MultibodyArguments>(links.width());
+}
+
+}  // namespace murosimf

@@ -1,0 +1,49 @@
+#include "murosimf/modules/integration/euler.h"
+
+#include "murosimf/linking/links.h"
+#include "murosimf/world/vocabulary.h"
+
+namespace murosimf {
+
+void EulerIntegrator::declare(Declaration& d) const {
+  d.uses(kInitialPosition, 0.0, subset::kJoints);
+  d.reads(kJointAcceleration, subset::kJoints);
+  d.reads(kBodyAcceleration, subset::kBodies);
+  d.reads(kBodyUp, subset::kBodies);
+  d.adds(kJointPosition, subset::kJoints);
+  d.adds(kJointVelocity, subset::kJoints);
+  d.adds(kBasePose);
+  d.adds(kBaseVelocity);
+}
+
+void EulerIntegrator::link(Links& links) {
+  arguments_ = {links.count(subset::kJoints),
+                links.column(kJointPosition, subset::kJoints),
+                links.column(kJointVelocity, subset::kJoints),
+                links.column(kBasePose),
+                links.column(kBaseVelocity),
+                links.column(kJointAcceleration, subset::kJoints),
+                links.column(kBodyAcceleration, subset::kBodies),
+                links.column(kBodyUp, subset::kBodies)};
+  initial_ = links.column(kInitialPosition, subset::kJoints);
+  width_ = links.width();
+  advance_ = kernelOfWidth<EulerArguments>(width_);
+}
+
+void EulerIntegrator::initialise(const BlockMemory& block) const {
+  const auto first = [&](const ColumnRef& column) {
+    return block.piece[static_cast<int>(column.memory)] + column.offset * width_;
+  };
+  const double* initial = first(initial_);
+  double* q = first(arguments_.q);
+  for (int i = 0; i < arguments_.joints * width_; ++i) q[i] = initial[i];
+}
+
+void EulerIntegrator::step(const BlockMemory& block, const StepTime& time) const {
+  StepTime evaluation = time;
+  evaluation.implicit = looks_ahead_ ? time.dt : 0;
+  evaluate()(block, evaluation);
+  advance_(arguments_, block, time);
+}
+
+}  // namespace murosimf
