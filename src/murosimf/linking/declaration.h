@@ -98,6 +98,12 @@ class Declaration {
     if (property.storage != Storage::kStep) throw std::logic_error("sums live for a step only");
     add(property, Access::kAccumulates, of);
   }
+  /// Reads a sum behind all that add to it; zero where nobody does.
+  template <class T>
+  void readsSum(const Variable<T>& property, std::string_view of = subset::kSelf) {
+    accumulates(property, of);
+    reads(property, of);
+  }
   void runsIn(Phase phase) { phase_ = phase; }
 
   const std::vector<DeclaredProperty>& properties() const { return properties_; }

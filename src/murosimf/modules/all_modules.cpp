@@ -1,6 +1,8 @@
 #include "murosimf/modules/all_modules.h"
 
 #include "murosimf/modules/actuation/ideal_servo.h"
+#include "murosimf/modules/actuation/position_servo.h"
+#include "murosimf/modules/actuation/servo_controller.h"
 #include "murosimf/modules/dynamics/multibody_dynamics.h"
 #include "murosimf/modules/dynamics/tree_motion.h"
 #include "murosimf/modules/integration/euler.h"
@@ -14,6 +16,8 @@ namespace murosimf {
 ModuleRegistry allModules() {
   ModuleRegistry all;
   all.add<IdealServo>("ideal_servo", "actuation", "servos that follow any command at their no-load speed");
+  all.add<ServoController>("servo_controller", "electronics", "what position servos ask of their motors");
+  all.add<PositionServo>("position_servo", "actuation", "position servos with the limits of their motors");
   all.add<KinematicWalking>("kinematic_walking", "motion", "the stance foot is pinned to the ground",
                             KinematicWalking::parameters());
   all.add<BodyPoses>("body_poses", "kinematics", "world poses of all bodies");

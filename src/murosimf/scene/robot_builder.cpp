@@ -48,6 +48,11 @@ void addJoints(World& world, ObjectId robot, const RobotBlueprint& b) {
     world.set(id, kUpperLimit, joint.limits.upper, joint.where);
     const double fastest = joint.servo ? joint.servo->no_load_speed : joint.limits.largest_velocity;
     world.set(id, kLargestVelocity, fastest, joint.where);
+    if (joint.servo) {
+      world.set(id, kStallTorque, joint.servo->stall_torque, joint.where);
+      world.set(id, kServoStiffness, joint.servo->kp, joint.where);
+      world.set(id, kServoDamping, joint.servo->kd, joint.where);
+    }
     world.set(id, kJointDamping, joint.damping, joint.where);
     world.set(id, kArmature, joint.servo ? joint.servo->armature : 0.0, joint.where);
   }

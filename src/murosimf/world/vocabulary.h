@@ -63,6 +63,9 @@ inline constexpr Constant<double> kLargestVelocity{"largest_velocity", "rad/s", 
 inline constexpr Constant<double> kInitialPosition{"initial_position", "rad", "joint position at the start"};
 inline constexpr Constant<RigidInertia<double>> kBodyInertia{
     "body_inertia", "SI", "mass, mass times centre of mass, inertia about the origin"};
+inline constexpr Constant<double> kStallTorque{"stall_torque", "N m", "of the servo, at rest"};
+inline constexpr Constant<double> kServoStiffness{"servo_kp", "N m/rad", "torque per error of position"};
+inline constexpr Constant<double> kServoDamping{"servo_kd", "N m s/rad", "torque per velocity"};
 inline constexpr Constant<double> kArmature{"armature", "kg m^2", "rotor inertia seen at the joint"};
 inline constexpr Constant<double> kJointDamping{"joint_damping", "N m s/rad", "viscous friction of the joint"};
 inline constexpr Constant<double> kBlockingRadius{"blocking_radius", "m",
@@ -107,6 +110,9 @@ inline constexpr Variable<double> kSupportSlip{"support_slip", "m/s", "speed of 
                                                Storage::kKept};
 inline constexpr Variable<double> kFlight{"flight", "1", "1 when the pinned foot would have to be pulled to the ground",
                                           Storage::kKept};
+
+inline constexpr Variable<ServoCommand> kServoDemand{"servo_demand", "SI",
+                                                     "what a servo's electronics ask of its motor"};
 
 // Variables that live while an integrator evaluates forces; everything of a body in its own axes, about its origin.
 inline constexpr Variable<SinCos<double>> kJointTurn{"joint_turn", "1", "sine and cosine of q; sliding: q [m] and 1",

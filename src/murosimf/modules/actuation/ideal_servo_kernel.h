@@ -3,6 +3,7 @@
 /// @file Kernel of ideal_servo.h.
 
 #include "murosimf/linking/kernel.h"
+#include "murosimf/modules/actuation/command_lanes.h"
 
 namespace murosimf {
 
@@ -15,12 +16,6 @@ void addBaselineKernels(KernelSet<IdealServoArguments>& kernels);
 void addWideKernels(KernelSet<IdealServoArguments>& kernels);
 
 inline namespace MUROSIMF_ISA {
-
-/// The five numbers of a ServoCommand, one per lane.
-template <class S>
-struct CommandLanes {
-  S position, velocity, torque, kp, kd;
-};
 
 template <class S>
 void idealServo(const IdealServoArguments& a, const BlockMemory& block, const StepTime& time) {

@@ -26,9 +26,9 @@ void MultibodyDynamics::declare(Declaration& d) const {
   d.reads(kJointVelocity, subset::kJoints);
   d.reads(kJointTurn, subset::kJoints);
   d.reads(kBodyTwist, subset::kBodies);
-  d.accumulates(kJointTorque, subset::kJoints);
-  d.accumulates(kJointInertia, subset::kJoints);
-  d.accumulates(kBodyForce, subset::kBodies);
+  d.readsSum(kJointTorque, subset::kJoints);
+  d.readsSum(kJointInertia, subset::kJoints);
+  d.readsSum(kBodyForce, subset::kBodies);
   d.adds(kJointAcceleration, subset::kJoints);
   d.adds(kBodyAcceleration, subset::kBodies);
   d.adds(kTorqueInAll, subset::kJoints);

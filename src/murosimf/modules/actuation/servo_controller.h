@@ -1,0 +1,29 @@
+#pragma once
+
+/// @file The electronics of position servos: turns commands into what the motors are to do, once a step.
+///
+/// Model      A joint whose command has kp > 0 is held by its servo's own gains kp and kd at the commanded position,
+///            within the joint's range. Where the command has a velocity > 0, the position held moves there at that
+///            speed, from where it was, or from the joint's position when the servo was off. kp = 0: the servo is off.
+///            The command's torque is added.
+/// Phase      kPrescribe: before forces are evaluated, however often that happens.
+/// Adds       servo_demand: position, torque, kp, kd as they hold during the step; velocity 0.
+/// Cost       about 10 operations a joint.
+
+#include "murosimf/linking/module.h"
+#include "murosimf/modules/actuation/servo_controller_kernel.h"
+
+namespace murosimf {
+
+class ServoController final : public BlockModule {
+ public:
+  void declare(Declaration& declaration) const override;
+  void link(Links& links) override;
+  void step(const BlockMemory& block, const StepTime& time) const override { kernel_(arguments_, block, time); }
+
+ private:
+  ServoControllerArguments arguments_;
+  KernelSet<ServoControllerArguments>::Kernel kernel_ = nullptr;
+};
+
+}  // namespace murosimf

@@ -1,0 +1,127 @@
+// Position servos against the closed forms of a driven wheel.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "modules/motion_world.h"
+#include "murosimf/robot/tree_builder.h"
+
+namespace murosimf::motion {
+namespace {
+
+constexpr double kInertia = 0.02, kGain = 8, kDrag = 0.1, kStall = 2, kNoLoad = 10;  // [kg m^2], SI
+
+/// A wheel on a very heavy base.
+const RobotBlueprint& wheel() {
+  static const RobotBlueprint print = [] {
+    TreeBuilder builder;
+    const MassProperties rotor{1, {}, {kInertia, kInertia, kInertia, 0, 0, 0}};
+    const MassProperties anchor{1e9, {}, {1e9, 1e9, 1e9, 0, 0, 0}};
+    builder.base("base").body({"anchor", anchor}).revolute("axle", kAxisZ, {-3, 3, 100, 100}).body({"wheel", rotor});
+    RobotModel model;
+    model.name = "wheel";
+    model.tree = builder.build();
+    model.tree.joints[0].servo = ServoParameters{"test", kStall, kNoLoad, kGain, kDrag, 0, 0};
+    RobotBlueprint made{std::move(model), {}};
+    made.flat = flattenTree(made.model.tree);
+    return made;
+  }();
+  return print;
+}
+
+class DrivenWheel {
+ public:
+  DrivenWheel(const std::string& integrator, double step) : step_(step) {
+    robot_ = addRobot(world_, "wheel", wheel(), Colour{});
+    static const OutsideAccess driver([](Declaration& d) { d.adds(kJointCommand, subset::kJoints); });
+    Linker linker(world_, registry_, LinkOptions{step, 1});
+    for (const std::string& module : {std::string("servo_controller"), std::string("position_servo"),
+                                      std::string("tree_motion"), std::string("multibody_dynamics"), integrator}) {
+      linker.assign({robot_, module, {}, {}});
+    }
+    linker.attach({"driver", &driver, {robot_}});
+    Diagnostics diagnostics;
+    linked_ = linker.link(diagnostics);
+    if (linked_ == nullptr) throw std::runtime_error(diagnostics.text());
+  }
+  void command(const ServoCommand& command) { linked_->handle(robot_, kJointCommand, subset::kJoints).set(command); }
+  void set(double q, double dq) {
+    linked_->handle(robot_, kJointPosition, subset::kJoints).set(q);
+    linked_->handle(robot_, kJointVelocity, subset::kJoints).set(dq);
+  }
+  double q() { return linked_->handle(robot_, kJointPosition, subset::kJoints).get(); }
+  double dq() { return linked_->handle(robot_, kJointVelocity, subset::kJoints).get(); }
+  void run(double seconds) {
+    for (const long end = frame_ + std::lround(seconds / step_); frame_ < end; ++frame_) linked_->runFrame(frame_);
+  }
+
+ private:
+  double step_;
+  World world_;
+  ModuleRegistry registry_ = allModules();
+  ObjectId robot_;
+  std::unique_ptr<LinkedWorld> linked_;
+  long frame_ = 0;
+};
+
+TEST(PositionServo, SwingsLikeADampedOscillator) {
+  DrivenWheel w("runge_kutta_4", 1e-3);
+  w.command({0.1, 0, 0, 1, 0});
+  w.run(0.2);
+  const double delta = kDrag / (2 * kInertia), omega = std::sqrt(kGain / kInertia - delta * delta);
+  const double rest = std::exp(-delta * 0.2) * (std::cos(omega * 0.2) + delta / omega * std::sin(omega * 0.2));
+  EXPECT_NEAR(w.q(), 0.1 * (1 - rest), 1e-7);
+}
+
+TEST(PositionServo, PushesAlongItsTorqueSpeedLine) {
+  DrivenWheel w("runge_kutta_4", 1e-3);
+  w.set(-2.9, 0);
+  w.command({2.9, 0, 0, 1, 0});  // so far away that the motor gives all it has
+  w.run(0.1);
+  const double rate = kStall / (kInertia * kNoLoad);  // dq' = (stall / J) (1 - dq / no_load_speed)
+  EXPECT_NEAR(w.dq(), kNoLoad * (1 - std::exp(-rate * 0.1)), 1e-6);
+}
+
+TEST(PositionServo, BrakesWithNoMoreThanItsStallTorque) {
+  DrivenWheel w("runge_kutta_4", 1e-3);
+  w.set(0, 5);
+  w.command({-2.9, 0, 0, 1, 0});
+  w.run(0.02);
+  EXPECT_NEAR(w.dq(), 5 - kStall / kInertia * 0.02, 1e-9);
+}
+
+TEST(PositionServo, LooksAheadSoThatStepsOfTwentyMillisecondsAreStable) {
+  DrivenWheel w("implicit_euler", 0.02);
+  w.command({0.1, 0, 0, 1, 0});
+  double largest = 0;
+  for (int i = 0; i < 50; ++i) w.run(0.02), largest = std::max(largest, std::fabs(w.q()));
+  EXPECT_LT(largest, 0.2);
+  EXPECT_NEAR(w.q(), 0.1, 1e-3);
+  EXPECT_NEAR(w.dq(), 0, 1e-2);
+}
+
+TEST(ServoController, MovesTheHeldPositionAtTheCommandedSpeed) {
+  DrivenWheel w("implicit_euler", 1e-3);
+  w.command({2.0, 0.5, 0, 1, 0});
+  w.run(3.0);
+  const double lag = kDrag * 0.5 / kGain;  // kp (held - q) = kd dq
+  EXPECT_NEAR(w.q(), 1.5 - lag, 1e-3);
+  EXPECT_NEAR(w.dq(), 0.5, 1e-3);
+}
+
+TEST(ServoController, SwitchedOffJointTurnsFreelyAndIsHeldFromWhereItIs) {
+  DrivenWheel w("implicit_euler", 1e-3);
+  w.set(0, 1);
+  w.command({2.0, 0.1, 0, 0, 0});  // kp = 0: off
+  w.run(0.5);
+  EXPECT_NEAR(w.q(), 0.5, 1e-9);
+  w.set(0.5, 0);
+  w.command({2.0, 0.1, 0, 1, 0});
+  w.run(0.1);
+  EXPECT_GT(w.q(), 0.501);  // a slow start from 0.5, no jump from 2
+  EXPECT_LT(w.q(), 0.51);
+}
+
+}  // namespace
+}  // namespace murosimf::motion
