@@ -32,10 +32,10 @@ const RobotBlueprint& wheel() {
 
 class DrivenWheel {
  public:
-  DrivenWheel(const std::string& integrator, double step) : step_(step) {
+  DrivenWheel(const std::string& integrator, double step, int lanes = 1) : step_(step) {
     robot_ = addRobot(world_, "wheel", wheel(), Colour{});
     static const OutsideAccess driver([](Declaration& d) { d.adds(kJointCommand, subset::kJoints); });
-    Linker linker(world_, registry_, LinkOptions{step, 1});
+    Linker linker(world_, registry_, LinkOptions{step, lanes});
     for (const std::string& module : {std::string("servo_controller"), std::string("position_servo"),
                                       std::string("tree_motion"), std::string("multibody_dynamics"), integrator}) {
       linker.assign({robot_, module, {}, {}});
@@ -121,6 +121,21 @@ TEST(ServoController, SwitchedOffJointTurnsFreelyAndIsHeldFromWhereItIs) {
   w.run(0.1);
   EXPECT_GT(w.q(), 0.501);  // a slow start from 0.5, no jump from 2
   EXPECT_LT(w.q(), 0.51);
+}
+
+TEST(PositionServo, LanesEqualScalarBitForBitFreeAndAtItsLimits) {
+  for (const double demand : {0.1, 2.9}) {
+    DrivenWheel scalar("implicit_euler", 1e-3), four("implicit_euler", 1e-3, 4), eight("implicit_euler", 1e-3, 8);
+    for (DrivenWheel* w : {&scalar, &four, &eight}) {
+      w->command({demand, 1.5, 0.1, 1, 0});
+      w->run(0.3);
+    }
+    EXPECT_EQ(four.q(), scalar.q());
+    EXPECT_EQ(four.dq(), scalar.dq());
+    EXPECT_EQ(eight.q(), scalar.q());  // four again where the processor has no AVX-512
+    EXPECT_EQ(eight.dq(), scalar.dq());
+    EXPECT_NE(scalar.q(), 0);
+  }
 }
 
 }  // namespace

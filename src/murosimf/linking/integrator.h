@@ -23,7 +23,6 @@ class Evaluation {
     for (std::size_t i = 0; i < sums_; ++i) sums[i] = 0;
     for (const BlockModule* pass : passes_) pass->step(block, time);
   }
-  bool empty() const { return passes_.empty(); }
 
  private:
   std::vector<const BlockModule*> passes_;

@@ -5,6 +5,13 @@
 
 namespace murosimf {
 
+void copyColumn(const BlockMemory& block, ColumnRef from, ColumnRef to, int numbers, int width) {
+  const auto first = [&](ColumnRef column) {
+    return block.piece[static_cast<int>(column.memory)] + column.offset * width;
+  };
+  std::copy_n(first(from), numbers * width, first(to));
+}
+
 void ModuleRegistry::add(ModuleEntry entry) {
   if (find(entry.name) != nullptr) {
     throw std::invalid_argument("two modules have the name \"" + std::string(entry.name) + "\"");

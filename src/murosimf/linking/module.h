@@ -40,6 +40,9 @@ class BlockModule : public Module {
   virtual void step(const BlockMemory& block, const StepTime& time) const = 0;
 };
 
+/// Copies a column of `numbers` per lane to another one of the same block: first values from a constant, for example.
+void copyColumn(const BlockMemory& block, ColumnRef from, ColumnRef to, int numbers, int width);
+
 /// One entry of the list of modules that a scenario may name.
 struct ModuleEntry {
   std::string_view name;                  ///< "kinematic_walking"

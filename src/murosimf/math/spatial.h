@@ -48,15 +48,6 @@ template <class S>
 inline SpatialForce<S> cross(const SpatialMotion<S>& a, const SpatialForce<S>& b) {
   return {cross(a.w, b.n) + cross(a.v, b.f), cross(a.w, b.f)};
 }
-template <class S>
-inline SpatialMotion<S> select(decltype(S() < S()) mask, const SpatialMotion<S>& a, const SpatialMotion<S>& b) {
-  return {select(mask, a.w, b.w), select(mask, a.v, b.v)};
-}
-template <class S>
-inline SpatialForce<S> select(decltype(S() < S()) mask, const SpatialForce<S>& a, const SpatialForce<S>& b) {
-  return {select(mask, a.n, b.n), select(mask, a.f, b.f)};
-}
-
 template <class S = double>
 struct RigidInertia {
   S m{};            ///< [kg]
@@ -77,13 +68,6 @@ struct ArticulatedInertia {
   Symmetric3<S> M;
 
   ArticulatedInertia& operator+=(const ArticulatedInertia& b) { return I += b.I, H += b.H, M += b.M, *this; }
-  ArticulatedInertia& operator+=(const RigidInertia<S>& b) {
-    I += b.I;
-    H.e[0][1] -= b.mc.z, H.e[0][2] += b.mc.y, H.e[1][2] -= b.mc.x;
-    H.e[1][0] += b.mc.z, H.e[2][0] -= b.mc.y, H.e[2][1] += b.mc.x;
-    M.xx += b.m, M.yy += b.m, M.zz += b.m;
-    return *this;
-  }
   friend SpatialForce<S> operator*(const ArticulatedInertia& a, const SpatialMotion<S>& b) {
     return {a.I * b.w + a.H * b.v, applyTransposed(a.H, b.w) + a.M * b.v};
   }

@@ -17,9 +17,6 @@ struct Symmetric3 {
   Symmetric3& operator+=(const Symmetric3& b) {
     return xx += b.xx, yy += b.yy, zz += b.zz, xy += b.xy, xz += b.xz, yz += b.yz, *this;
   }
-  friend Symmetric3 operator*(const Symmetric3& m, S s) {
-    return {m.xx * s, m.yy * s, m.zz * s, m.xy * s, m.xz * s, m.yz * s};
-  }
   friend Vec3<S> operator*(const Symmetric3& m, const Vec3<S>& v) {
     return {fma(m.xz, v.z, fma(m.xy, v.y, m.xx * v.x)), fma(m.yz, v.z, fma(m.yy, v.y, m.xy * v.x)),
             fma(m.zz, v.z, fma(m.yz, v.y, m.xz * v.x))};

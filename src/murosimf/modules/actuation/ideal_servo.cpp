@@ -30,9 +30,7 @@ void IdealServo::link(Links& links) {
 }
 
 void IdealServo::initialise(const BlockMemory& block) const {
-  const double* initial = block.piece[static_cast<int>(initial_.memory)] + initial_.offset * width_;
-  double* q = block.piece[static_cast<int>(arguments_.position.memory)] + arguments_.position.offset * width_;
-  for (int i = 0; i < arguments_.joints * width_; ++i) q[i] = initial[i];
+  copyColumn(block, initial_, arguments_.position, arguments_.joints, width_);
 }
 
 }  // namespace murosimf

@@ -7,8 +7,6 @@ namespace murosimf {
 
 namespace {
 
-constexpr Variable<double> kTorqueInAll{"torque_in_all", "N m", "with friction", Storage::kStep};
-constexpr Variable<double> kInertiaInAll{"inertia_in_all", "kg m^2", "with rotor and friction", Storage::kStep};
 constexpr Variable<JointResponse<double>> kJointResponse{"joint_response", "SI", "of the way inward", Storage::kStep};
 // The few slots of GatherPlan stand in the first places of a column with one place a body.
 constexpr Variable<ArticulatedInertia<double>> kSlotInertia{"slot_inertia", "SI", "what children hand on",
@@ -31,8 +29,6 @@ void MultibodyDynamics::declare(Declaration& d) const {
   d.readsSum(kBodyForce, subset::kBodies);
   d.adds(kJointAcceleration, subset::kJoints);
   d.adds(kBodyAcceleration, subset::kBodies);
-  d.adds(kTorqueInAll, subset::kJoints);
-  d.adds(kInertiaInAll, subset::kJoints);
   d.adds(kJointResponse, subset::kJoints);
   d.adds(kSlotInertia, subset::kBodies);
   d.adds(kSlotBias, subset::kBodies);
@@ -58,8 +54,6 @@ void MultibodyDynamics::link(Links& links) {
   a.response = links.column(kJointResponse, subset::kJoints);
   a.slot_inertia = links.column(kSlotInertia, subset::kBodies);
   a.slot_bias = links.column(kSlotBias, subset::kBodies);
-  a.sum_torque = links.column(kTorqueInAll, subset::kJoints);
-  a.sum_inertia = links.column(kInertiaInAll, subset::kJoints);
   kernel_ = kernelOfWidth<MultibodyArguments>(links.width());
 }
 

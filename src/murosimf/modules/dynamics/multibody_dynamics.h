@@ -7,6 +7,7 @@
 ///            inertia and viscous friction -joint_damping dq, which implicit steps take at their end.
 /// Phase      kEvaluate: an integrator asks for it.
 /// Needs      the tree, body_inertia of the bodies; armature and joint_damping of joints count as 0 where missing.
+/// Adds to    joint_torque, joint_inertia: friction and rotors.
 /// Adds       joint_acceleration; body_acceleration, proper, in each body's axes about its origin.
 /// Cost       about 500 multiplications and additions a joint.
 /// Exchange   with any module that adds these two.

@@ -10,7 +10,7 @@ namespace murosimf {
 struct MultibodyArguments {
   ArticulatedTree tree;
   ColumnRef turn, dq, torque, joint_inertia, armature, damping, inertia, twist, force;
-  ColumnRef acceleration, joint_acceleration, response, slot_inertia, slot_bias, sum_torque, sum_inertia;
+  ColumnRef acceleration, joint_acceleration, response, slot_inertia, slot_bias;
 };
 
 void addBaselineKernels(KernelSet<MultibodyArguments>& kernels);
@@ -21,13 +21,12 @@ inline namespace MUROSIMF_ISA {
 template <class S>
 void multibodyDynamics(const MultibodyArguments& a, const BlockMemory& block, const StepTime& time) {
   const S* dq = columnAt<S, S>(block, a.dq);
-  S* torque = columnAt<S, S>(block, a.sum_torque);
-  S* inertia = columnAt<S, S>(block, a.sum_inertia);
-  const S *given_torque = columnAt<S, S>(block, a.torque), *given_inertia = columnAt<S, S>(block, a.joint_inertia);
+  S* torque = columnAt<S, S>(block, a.torque);
+  S* inertia = columnAt<S, S>(block, a.joint_inertia);
   const S *armature = columnAt<S, S>(block, a.armature), *damping = columnAt<S, S>(block, a.damping);
   for (int j = 0; j + 1 < a.tree.bodies; ++j) {  // viscous friction, -b (dq + h ddq)
-    torque[j] = fnma(damping[j], dq[j], given_torque[j]);
-    inertia[j] = given_inertia[j] + fma(S(time.implicit), damping[j], armature[j]);
+    torque[j] = fnma(damping[j], dq[j], torque[j]);
+    inertia[j] += fma(S(time.implicit), damping[j], armature[j]);
   }
   articulatedBody(
       a.tree,

@@ -36,6 +36,13 @@ inline BaseChange<S> rateOf(const BaseChange<S>& change, const Rotation<S>& R, c
   return {V.w + once * S(0.5) + twice * turningCoefficient(squaredNorm(change.phi)), R * V.v};
 }
 
+/// The rate of the base's velocity in its own axes, from its proper acceleration: what an accelerometer feels less
+/// what gravity, g = 9.81 m/s^2 against `up`, makes it feel.
+template <class S>
+inline SpatialMotion<S> trueAcceleration(const SpatialMotion<S>& proper, const Vec3<S>& up) {
+  return {proper.w, proper.v - up * S(9.81)};
+}
+
 template <class S>
 inline Transform<S> changed(const Transform<S>& X, const BaseChange<S>& change) {
   return {X.rotation * rotationExp(change.phi), X.translation + change.p};

@@ -31,12 +31,7 @@ void EulerIntegrator::link(Links& links) {
 }
 
 void EulerIntegrator::initialise(const BlockMemory& block) const {
-  const auto first = [&](const ColumnRef& column) {
-    return block.piece[static_cast<int>(column.memory)] + column.offset * width_;
-  };
-  const double* initial = first(initial_);
-  double* q = first(arguments_.q);
-  for (int i = 0; i < arguments_.joints * width_; ++i) q[i] = initial[i];
+  copyColumn(block, initial_, arguments_.q, arguments_.joints, width_);
 }
 
 void EulerIntegrator::step(const BlockMemory& block, const StepTime& time) const {

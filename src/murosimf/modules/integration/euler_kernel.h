@@ -3,7 +3,7 @@
 /// @file Kernel of euler.h.
 
 #include "murosimf/linking/kernel.h"
-#include "murosimf/math/spatial.h"
+#include "murosimf/modules/integration/base_chart.h"
 
 namespace murosimf {
 
@@ -38,7 +38,7 @@ void advanceByEuler(const EulerArguments& a, const BlockMemory& block, const Ste
   auto& V = *columnAt<SpatialMotion<S>, S>(block, a.base_velocity);
   const SpatialMotion<S> proper = *columnAt<SpatialMotion<S>, S>(block, a.acceleration);
   const Vec3<S> up = *columnAt<Vec3<S>, S>(block, a.up);
-  V += SpatialMotion<S>{proper.w, proper.v - up * S(9.81)} * h;
+  V += trueAcceleration(proper, up) * h;
   moveBase(*columnAt<Transform<S>, S>(block, a.base_pose), V, h);
 }
 

@@ -69,12 +69,7 @@ void RungeKutta::link(Links& links) {
 }
 
 void RungeKutta::initialise(const BlockMemory& block) const {
-  const auto first = [&](const ColumnRef& column) {
-    return block.piece[static_cast<int>(column.memory)] + column.offset * width_;
-  };
-  const double* initial = first(initial_);
-  double* q = first(stages_.front().q);
-  for (int i = 0; i < stages_.front().joints * width_; ++i) q[i] = initial[i];
+  copyColumn(block, initial_, stages_.front().q, stages_.front().joints, width_);
 }
 
 void RungeKutta::step(const BlockMemory& block, const StepTime& time) const {

@@ -50,9 +50,9 @@ inline void advanceBase(const RungeKuttaStage& a, const BlockMemory& block, S h)
   X = changed(X_0, change);
   if (a.last) X.rotation = orthonormalized(X.rotation);
   const SpatialMotion<S> proper = *columnAt<SpatialMotion<S>, S>(block, a.acceleration);
-  const Vec3<S> gravity = *columnAt<Vec3<S>, S>(block, a.up) * S(-9.81);
+  const Vec3<S> up = *columnAt<Vec3<S>, S>(block, a.up);
   advanceValue(a, h, V, *columnAt<SpatialMotion<S>, S>(block, a.base_velocity_0),
-               *columnAt<SpatialMotion<S>, S>(block, a.velocity_sum), SpatialMotion<S>{proper.w, proper.v + gravity});
+               *columnAt<SpatialMotion<S>, S>(block, a.velocity_sum), trueAcceleration(proper, up));
 }
 
 template <class S>
