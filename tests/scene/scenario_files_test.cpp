@@ -140,12 +140,17 @@ TEST(ScenarioFiles, CoulombFrictionTakesThePlaceOfTheBuiltInViscousFriction) {
   const SurfacePairSettings* pair = findSurfacePair(scene, "ball", "turf");
   ASSERT_NE(pair, nullptr);
   EXPECT_EQ(*pair->friction_coefficient, .5);
-  EXPECT_EQ(*pair->viscous_friction, 0);
+  EXPECT_EQ(*pair->friction, "coulomb");
   EXPECT_EQ(*pair->stiffness, 3e3) << "what is not given stays as built in";
   EXPECT_EQ(findSurfacePair(scene, "ball", "moon"), nullptr);
   const auto said = complaints("[surfaces.ball-turf]\nviscous_friction = 5\nfriction_coefficient = 0.5\n");
   ASSERT_EQ(said.size(), 1u);
-  EXPECT_EQ(said[0], "3:24: friction_coefficient and viscous_friction are both given, expected one of them");
+  EXPECT_EQ(said[0],
+            "3:24: friction_coefficient and viscous_friction are both given, expected one of them, or friction to say "
+            "which one holds");
+  const Scene both =
+      readGood("[surfaces.ball-turf]\nviscous_friction = 5\nfriction_coefficient = 0.5\nfriction = \"viscous\"\n");
+  EXPECT_EQ(*findSurfacePair(both, "ball", "turf")->friction, "viscous");
 }
 
 }  // namespace

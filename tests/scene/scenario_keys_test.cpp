@@ -13,7 +13,7 @@ namespace murosimf::test {
 namespace {
 
 /// Of the keys of a pair, those whose default is not a matter of the pair.
-const std::set<std::string_view> kBuiltInForPair = {"law", "blend_speed", "dissipation", "stick_speed"};
+const std::set<std::string_view> kBuiltInForPair = {"law", "blend_speed"};
 
 /// The path with which `--set` reaches a key of a section.
 std::string pathOf(const ScenarioKey& key) {

@@ -33,6 +33,7 @@ struct SurfacePair {
   double viscous_friction = 0;    ///< s_mu [s/m], >= 0: `viscous` alone
   double turning_friction = 0;    ///< s_nu [m s], >= 0
   double rolling_resistance = 0;  ///< c_rr, >= 0: a rolling ball slows by c_rr g / (1 + beta), I = beta m r^2
+  friend bool operator==(const SurfacePair&, const SurfacePair&) = default;
 };
 
 }  // namespace murosimf

@@ -20,6 +20,11 @@ class Links {
   int count(std::string_view subset_name) const {
     return static_cast<int>(world_.members(batch_.members.front(), subset_name).size());
   }
+  /// Whether a variable that the module reads if somebody adds it is there.
+  template <class T>
+  bool has(const Variable<T>& property, std::string_view of = subset::kSelf) const {
+    return declared(property.name, of).isRead() && batch_.column(property.name, of) != nullptr;
+  }
   double parameter(std::string_view name) const { return parameters_[name]; }
 
   /// The column of a declared variable, for kernels.

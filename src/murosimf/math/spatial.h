@@ -74,6 +74,12 @@ struct ArticulatedInertia {
 };
 
 template <class S>
+inline ArticulatedInertia<S> select(decltype(S() < S()) mask, const ArticulatedInertia<S>& a,
+                                    const ArticulatedInertia<S>& b) {
+  return {select(mask, a.I, b.I), select(mask, a.H, b.H), select(mask, a.M, b.M)};
+}
+
+template <class S>
 inline ArticulatedInertia<S> articulated(const RigidInertia<S>& rigid) {
   const S zero(0);
   const Vec3<S>& c = rigid.mc;

@@ -24,6 +24,11 @@ struct Symmetric3 {
   friend bool operator==(const Symmetric3&, const Symmetric3&) = default;
 };
 
+template <class S>
+inline Symmetric3<S> select(decltype(S() < S()) mask, const Symmetric3<S>& a, const Symmetric3<S>& b) {
+  return {select(mask, a.xx, b.xx), select(mask, a.yy, b.yy), select(mask, a.zz, b.zz),
+          select(mask, a.xy, b.xy), select(mask, a.xz, b.xz), select(mask, a.yz, b.yz)};
+}
 template <int I, int J, class S>
 inline S& entry(Symmetric3<S>& m) {
   static_assert(I >= 0 && I < 3 && J >= 0 && J < 3);
@@ -52,6 +57,15 @@ struct Matrix3 {
             fma(m.e[2][2], v.z, fma(m.e[2][1], v.y, m.e[2][0] * v.x))};
   }
 };
+
+template <class S>
+inline Matrix3<S> select(decltype(S() < S()) mask, const Matrix3<S>& a, const Matrix3<S>& b) {
+  Matrix3<S> result;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) result.e[i][j] = select(mask, a.e[i][j], b.e[i][j]);
+  }
+  return result;
+}
 
 /// m^T v.
 template <class S>

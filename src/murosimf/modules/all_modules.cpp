@@ -3,6 +3,7 @@
 #include "murosimf/modules/actuation/ideal_servo.h"
 #include "murosimf/modules/actuation/position_servo.h"
 #include "murosimf/modules/actuation/servo_controller.h"
+#include "murosimf/modules/contact/ground_contact.h"
 #include "murosimf/modules/dynamics/multibody_dynamics.h"
 #include "murosimf/modules/dynamics/tree_motion.h"
 #include "murosimf/modules/integration/euler.h"
@@ -22,6 +23,10 @@ ModuleRegistry allModules() {
                             KinematicWalking::parameters());
   all.add<BodyPoses>("body_poses", "kinematics", "world poses of all bodies");
   all.add<TreeMotionPass>("tree_motion", "kinematics", "velocities of all bodies in their own axes");
+  all.add<HuntCrossleyContact>("hunt_crossley_contact", "contact", "ground: law of Hunt and Crossley, dry friction");
+  all.add<SmoothContact>("smooth_contact", "contact", "ground: the paper's law without its jump, viscous friction");
+  all.add<PaperContact>("paper_contact", "contact", "ground: the paper's law, viscous friction");
+  all.add<GroundContact>("ground_contact", "contact", "ground: the laws of the scenario's table of surfaces");
   all.add<MultibodyDynamics>("multibody_dynamics", "motion", "every body has its mass, every joint its torque");
   all.add<ImplicitEuler>("implicit_euler", "integration", "forces look ahead to the end of the step; order 1");
   all.add<SemiImplicitEuler>("semi_implicit_euler", "integration",

@@ -117,6 +117,7 @@ void writeSurfaces(ScenarioWriter& out, const std::vector<SurfacePairSettings>& 
     out.value("restitution_factor", p.restitution_factor);
     out.value("blend_speed", p.blend_speed);
     out.value("dissipation", p.dissipation);
+    out.value("friction", p.friction);
     out.value("viscous_friction", p.viscous_friction);
     out.value("friction_coefficient", p.friction_coefficient);
     out.value("stick_speed", p.stick_speed);

@@ -68,17 +68,18 @@ struct BallSettings {
 /// Friction is Coulomb where friction_coefficient > 0 (viscous_friction is 0 then), else viscous.
 struct SurfacePairSettings {
   std::string first, second;
-  SourceLocation where;                    ///< empty: of the built-in table
-  Located<std::string> law{"smooth", {}};  ///< "smooth", "paper" or "hunt_crossley"
-  Located<double> stiffness;               ///< s_c [N/m]
-  Located<double> restitution_factor;      ///< s_b [1]: `smooth` and `paper`
-  Located<double> blend_speed{.02, {}};    ///< v_0 [m/s]: `smooth`
-  Located<double> dissipation{.6, {}};     ///< d [s/m]: `hunt_crossley`
-  Located<double> viscous_friction;        ///< s_mu [s/m]
-  Located<double> friction_coefficient;    ///< mu [1]
-  Located<double> stick_speed{.002, {}};   ///< v_s [m/s]
-  Located<double> turning_friction;        ///< s_nu [m s]
-  Located<double> rolling_resistance;      ///< c_rr [1]
+  SourceLocation where;                          ///< empty: of the built-in table
+  Located<std::string> law{"smooth", {}};        ///< "smooth", "paper" or "hunt_crossley"
+  Located<double> stiffness;                     ///< s_c [N/m]
+  Located<double> restitution_factor;            ///< s_b [1]: `smooth` and `paper`
+  Located<double> blend_speed{.02, {}};          ///< v_0 [m/s]: `smooth`
+  Located<double> dissipation{.6, {}};           ///< d [s/m]: `hunt_crossley`
+  Located<std::string> friction{"viscous", {}};  ///< "viscous" or "coulomb"
+  Located<double> viscous_friction;              ///< s_mu [s/m]
+  Located<double> friction_coefficient;          ///< mu [1]
+  Located<double> stick_speed{.002, {}};         ///< v_s [m/s]
+  Located<double> turning_friction;              ///< s_nu [m s]
+  Located<double> rolling_resistance;            ///< c_rr [1]
 };
 
 struct TeamSettings {

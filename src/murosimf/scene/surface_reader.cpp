@@ -13,19 +13,21 @@ namespace {
 
 struct BuiltInPair {
   const char *first, *second;
-  double stiffness, restitution_factor, viscous_friction, turning_friction, rolling_resistance;
+  double stiffness, restitution_factor, dissipation, viscous_friction, friction_coefficient, stick_speed,
+      turning_friction, rolling_resistance;
 };
 
 // Ours, for frames of 1 ms and robots of 3.3 kg, whose bodies are of plastic. A sole sinks 1.6 mm into the turf; the
 // ball bounces with sqrt(.35) = .59 from the turf, with sqrt(.5) = .71 from a foot, and slows down by
 // c_rr g / (1 + beta) = .3 m/s^2 while it rolls. Robots touch each other harder, or thin parts would go through.
+// The ball's dissipation gives hunt_crossley the same restitution at 1 m/s as the factor gives the other laws.
 constexpr BuiltInPair kBuiltIn[] = {
-    {"ball", "plastic", 3e3, .5, 3, 0, 0},      {"ball", "post", 3e3, .6, 2, 0, 0},
-    {"ball", "sole", 3e3, .5, 3, 0, 0},         {"ball", "turf", 3e3, .35, 5, 0, .05},
-    {"plastic", "plastic", 1e5, .2, 3, .05, 0}, {"plastic", "post", 2e4, .3, 3, .05, 0},
-    {"plastic", "sole", 1e5, .2, 3, .05, 0},    {"plastic", "turf", 2e4, .3, 8, .2, 0},
-    {"post", "sole", 2e4, .3, 3, .05, 0},       {"sole", "sole", 1e5, .2, 3, .05, 0},
-    {"sole", "turf", 2e4, .3, 10, .1, 0},
+    {"ball", "plastic", 3e3, .5, .61, 3, .5, .002, 0, 0},    {"ball", "post", 3e3, .6, .43, 2, .3, .002, 0, 0},
+    {"ball", "sole", 3e3, .5, .61, 3, .5, .002, 0, 0},       {"ball", "turf", 3e3, .35, 1.01, 5, .5, .002, 0, .05},
+    {"plastic", "plastic", 1e5, .2, 5, 3, .4, .002, .05, 0}, {"plastic", "post", 2e4, .3, 5, 3, .4, .002, .05, 0},
+    {"plastic", "sole", 1e5, .2, 5, 3, .4, .002, .05, 0},    {"plastic", "turf", 2e4, .3, 20, 8, .7, .01, .2, 0},
+    {"post", "sole", 2e4, .3, 5, 3, .4, .002, .05, 0},       {"sole", "sole", 1e5, .2, 5, 3, .4, .002, .05, 0},
+    {"sole", "turf", 2e4, .3, 20, 10, .8, .01, .1, 0},
 };
 
 bool isSurfaceName(std::string_view name) {
@@ -74,16 +76,19 @@ void readPair(const TextNode& node, SurfacePairSettings& pair, Diagnostics& diag
   reader.read("restitution_factor", pair.restitution_factor);
   reader.read("blend_speed", pair.blend_speed);
   reader.read("dissipation", pair.dissipation);
+  const bool said = reader.read("friction", pair.friction);
   const bool viscous = reader.read("viscous_friction", pair.viscous_friction);
   const bool coulomb = reader.read("friction_coefficient", pair.friction_coefficient);
   reader.read("stick_speed", pair.stick_speed);
   reader.read("turning_friction", pair.turning_friction);
   reader.read("rolling_resistance", pair.rolling_resistance);
-  if (!coulomb || *pair.friction_coefficient == 0) return;
-  if (viscous && *pair.viscous_friction > 0)
+  if (said || !coulomb) return;
+  if (viscous) {
     diagnostics.error(pair.friction_coefficient.where,
-                      "friction_coefficient and viscous_friction are both given, expected one of them");
-  pair.viscous_friction = {0, pair.friction_coefficient.where};
+                      "friction_coefficient and viscous_friction are both given, expected one of them, or friction to "
+                      "say which one holds");
+  }
+  pair.friction = {"coulomb", pair.friction_coefficient.where};
 }
 
 }  // namespace
@@ -96,7 +101,10 @@ std::vector<SurfacePairSettings> builtInSurfacePairs() {
     pair.second = b.second;
     pair.stiffness.value = b.stiffness;
     pair.restitution_factor.value = b.restitution_factor;
+    pair.dissipation.value = b.dissipation;
     pair.viscous_friction.value = b.viscous_friction;
+    pair.friction_coefficient.value = b.friction_coefficient;
+    pair.stick_speed.value = b.stick_speed;
     pair.turning_friction.value = b.turning_friction;
     pair.rolling_resistance.value = b.rolling_resistance;
   }

@@ -37,7 +37,7 @@ void WorldBuilder::addSurfaces() {
     pair.normal_law = *s.law == "paper"           ? NormalLaw::kPaper
                       : *s.law == "hunt_crossley" ? NormalLaw::kHuntCrossley
                                                   : NormalLaw::kSmooth;
-    pair.friction_law = *s.friction_coefficient > 0 ? FrictionLaw::kCoulomb : FrictionLaw::kViscous;
+    pair.friction_law = *s.friction == "coulomb" ? FrictionLaw::kCoulomb : FrictionLaw::kViscous;
     pair.stiffness = *s.stiffness;
     pair.restitution_factor = *s.restitution_factor;
     pair.blend_speed = *s.blend_speed;

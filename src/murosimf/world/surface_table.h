@@ -23,6 +23,8 @@ class SurfaceTable {
     return found == pairs_.end() ? nullptr : &found->second;
   }
 
+  friend bool operator==(const SurfaceTable&, const SurfaceTable&) = default;
+
  private:
   using Key = std::pair<std::string, std::string>;
   static Key key(std::string_view a, std::string_view b) { return a < b ? Key(a, b) : Key(b, a); }

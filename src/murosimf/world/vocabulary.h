@@ -82,6 +82,7 @@ inline constexpr Constant<CameraModel> kCameraModel{"camera_model", "", "lens an
 inline constexpr Constant<MountPlace> kCameraPlace{"camera_place", "", "mount; C: x right, y down, z forward"};
 inline constexpr Constant<std::vector<int>> kHiddenRows{"hidden_rows", "", "bodies that this camera does not draw"};
 // Constants of the world's root.
+inline constexpr std::string_view kGroundSurface = "turf";  ///< surface type of the ground
 inline constexpr Constant<SurfaceTable> kSurfaceTable{"surface_table", "", "what happens between types of surface"};
 inline constexpr Constant<PaintedGround> kGround{"ground", "", "carpet and painted lines"};
 
@@ -129,6 +130,18 @@ inline constexpr Variable<SpatialForce<double>> kBodyForce{"body_force", "SI", "
 inline constexpr Variable<double> kJointAcceleration{"joint_acceleration", "rad/s^2", "of q", Storage::kStep};
 inline constexpr Variable<SpatialMotion<double>> kBodyAcceleration{
     "body_acceleration", "SI", "proper: what an accelerometer feels", Storage::kStep};
+
+/// Normal forces on the four corners of a sole: each is `force` less `mass` times the corner's proper acceleration
+/// along up. Corners in the order (-x -y), (+x -y), (-x +y), (+x +y).
+template <class S = double>
+struct SoleResponse {
+  S force[4]{}, mass[4]{};
+};
+inline constexpr Variable<ArticulatedInertia<double>> kContactInertia{
+    "contact_inertia", "SI", "what contacts add to a body's inertia in a step that looks ahead", Storage::kStep};
+inline constexpr Variable<double> kContactTouch{"contact_touch", "1", "1 where contact_inertia holds", Storage::kStep};
+inline constexpr Variable<SoleResponse<double>> kSoleResponse{"sole_response", "SI",
+                                                              "normal forces on a sole's corners", Storage::kStep};
 
 // Variables of sensors.
 inline constexpr Variable<Vector3> kGyroscope{"gyroscope", "rad/s", "angular velocity in the sensor's axes",

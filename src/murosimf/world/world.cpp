@@ -49,6 +49,7 @@ void World::defineSubset(ObjectId assembly, std::string_view name, std::vector<O
 std::span<const ObjectId> World::members(ObjectId assembly, std::string_view subset_name) const {
   const Object& object = at(assembly);
   if (subset_name == subset::kSelf) return {&object.self, 1};
+  if (subset_name == subset::kWorld) return {&objects_.front().self, 1};
   const auto found = object.subsets.find(subset_name);
   return found == object.subsets.end() ? std::span<const ObjectId>{} : std::span<const ObjectId>(found->second);
 }

@@ -69,7 +69,7 @@ class World {
 
   /// Declares a group of objects of an assembly, in this order.
   void defineSubset(ObjectId assembly, std::string_view name, std::vector<ObjectId> members);
-  /// The group's members; `self` is the assembly alone; empty when the assembly has no such group.
+  /// The group's members; `self` is the assembly alone, `world` the root; empty when the assembly has no such group.
   std::span<const ObjectId> members(ObjectId assembly, std::string_view subset_name) const;
 
   /// Sets a constant, replacing an earlier value.

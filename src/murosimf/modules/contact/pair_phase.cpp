@@ -14,7 +14,6 @@ namespace murosimf {
 namespace {
 
 constexpr double kMargin = 0.02;  // [m] that bodies may come nearer within a frame besides the free body's own way
-constexpr std::string_view kGroundSurface = "turf";
 
 SurfacePair pairOf(const World& world, const std::string& a, std::string_view b) {
   const SurfacePair* pair = world.findShared(world.root(), kSurfaceTable)->find(a, b);

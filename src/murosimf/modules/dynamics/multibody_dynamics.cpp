@@ -27,6 +27,8 @@ void MultibodyDynamics::declare(Declaration& d) const {
   d.readsSum(kJointTorque, subset::kJoints);
   d.readsSum(kJointInertia, subset::kJoints);
   d.readsSum(kBodyForce, subset::kBodies);
+  d.readsSum(kContactTouch, subset::kBodies);
+  d.readsIfAdded(kContactInertia, subset::kBodies);
   d.adds(kJointAcceleration, subset::kJoints);
   d.adds(kBodyAcceleration, subset::kBodies);
   d.adds(kJointResponse, subset::kJoints);
@@ -54,6 +56,9 @@ void MultibodyDynamics::link(Links& links) {
   a.response = links.column(kJointResponse, subset::kJoints);
   a.slot_inertia = links.column(kSlotInertia, subset::kBodies);
   a.slot_bias = links.column(kSlotBias, subset::kBodies);
+  a.contact_touch = links.column(kContactTouch, subset::kBodies);
+  a.contacts = links.has(kContactInertia, subset::kBodies);
+  if (a.contacts) a.contact_inertia = links.column(kContactInertia, subset::kBodies);
   kernel_ = kernelOfWidth<MultibodyArguments>(links.width());
 }
 

@@ -11,6 +11,8 @@ struct MultibodyArguments {
   ArticulatedTree tree;
   ColumnRef turn, dq, torque, joint_inertia, armature, damping, inertia, twist, force;
   ColumnRef acceleration, joint_acceleration, response, slot_inertia, slot_bias;
+  bool contacts = false;  ///< whether something may add inertia at contacts
+  ColumnRef contact_touch, contact_inertia;
 };
 
 void addBaselineKernels(KernelSet<MultibodyArguments>& kernels);
@@ -28,14 +30,27 @@ void multibodyDynamics(const MultibodyArguments& a, const BlockMemory& block, co
     torque[j] = fnma(damping[j], dq[j], torque[j]);
     inertia[j] += fma(S(time.implicit), damping[j], armature[j]);
   }
-  articulatedBody(
-      a.tree,
-      ArticulatedBody<S>{
-          columnAt<SinCos<S>, S>(block, a.turn), dq, torque, inertia, columnAt<RigidInertia<S>, S>(block, a.inertia),
-          columnAt<SpatialMotion<S>, S>(block, a.twist), columnAt<SpatialForce<S>, S>(block, a.force),
-          columnAt<SpatialMotion<S>, S>(block, a.acceleration), columnAt<S, S>(block, a.joint_acceleration),
-          columnAt<JointResponse<S>, S>(block, a.response), columnAt<ArticulatedInertia<S>, S>(block, a.slot_inertia),
-          columnAt<SpatialForce<S>, S>(block, a.slot_bias)});
+  const ArticulatedBody<S> columns{columnAt<SinCos<S>, S>(block, a.turn),
+                                   dq,
+                                   torque,
+                                   inertia,
+                                   columnAt<RigidInertia<S>, S>(block, a.inertia),
+                                   columnAt<SpatialMotion<S>, S>(block, a.twist),
+                                   columnAt<SpatialForce<S>, S>(block, a.force),
+                                   columnAt<SpatialMotion<S>, S>(block, a.acceleration),
+                                   columnAt<S, S>(block, a.joint_acceleration),
+                                   columnAt<JointResponse<S>, S>(block, a.response),
+                                   columnAt<ArticulatedInertia<S>, S>(block, a.slot_inertia),
+                                   columnAt<SpatialForce<S>, S>(block, a.slot_bias)};
+  const S* touch = columnAt<S, S>(block, a.contact_touch);
+  articulatedInward(a.tree, columns, [&](int i, ArticulatedInertia<S>& IA, SpatialForce<S>&) {
+    const auto touches = touch[i] > S(0);
+    if (!a.contacts || !any(touches)) return;
+    ArticulatedInertia<S> with = IA;
+    with += columnAt<ArticulatedInertia<S>, S>(block, a.contact_inertia)[i];
+    IA = select(touches, with, IA);
+  });
+  articulatedOutward(a.tree, columns);
 }
 
 }  // namespace MUROSIMF_ISA

@@ -7,6 +7,7 @@
 /// with w in the base's axes [Munthe-Kaas 1999]; so methods of any order keep it on rotations. The position is that of
 /// the base's origin in the world, dp/dt = R v.
 
+#include "murosimf/algorithms/gravity.h"
 #include "murosimf/math/spatial.h"
 #include "murosimf/math/transform.h"
 
@@ -40,7 +41,7 @@ inline BaseChange<S> rateOf(const BaseChange<S>& change, const Rotation<S>& R, c
 /// what gravity, g = 9.81 m/s^2 against `up`, makes it feel.
 template <class S>
 inline SpatialMotion<S> trueAcceleration(const SpatialMotion<S>& proper, const Vec3<S>& up) {
-  return {proper.w, proper.v - up * S(9.81)};
+  return {proper.w, proper.v - up * S(kGravity)};
 }
 
 template <class S>

@@ -2,7 +2,7 @@
 
 /// @file Euler's methods that move with the velocity at the end of the step.
 ///
-/// Model      V+ = V + h a,   q+ = q + h V+,   X_WB+ = X_WB moved by h V+.
+/// Model      V+ = V + h a,   q+ = q + h V+,   X_WB+ = X_WB moved by h V+, with the base's V as seen from the world.
 ///            implicit_euler       a of forces that look ahead: as they will be with V+, linearised; what makes a servo
 ///                                 or a contact stiff then counts as inertia added at joint and contact point. The
 ///                                 default of multibody dynamics.

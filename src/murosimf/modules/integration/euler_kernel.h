@@ -17,13 +17,17 @@ void addWideKernels(KernelSet<EulerArguments>& kernels);
 
 inline namespace MUROSIMF_ISA {
 
-/// The base by h [s] with its velocity V [base axes]: turned by h w about the axis of w, moved along the direction that
-/// v has half-way through the turn.
+/// The base by h [s] with the rate A of its velocity V, both in its axes. What is stepped is the velocity of its origin
+/// in the world, with the acceleration A.v + w x v: in axes that turn, h w x v alone would let a body that spins run
+/// faster and faster, by (h w)^2 / 2 a step.
 template <class S>
-inline void moveBase(Transform<S>& X_WB, const SpatialMotion<S>& V, S h) {
-  const Rotation<S> half = X_WB.rotation * rotationExp(V.w * (h * S(0.5)));
-  X_WB.translation += half * (V.v * h);
-  X_WB.rotation = orthonormalized(X_WB.rotation * rotationExp(V.w * h));
+inline void moveBase(Transform<S>& X_WB, SpatialMotion<S>& V, const SpatialMotion<S>& A, S h) {
+  const Vec3<S> v = V.v + (A.v + cross(V.w, V.v)) * h;  // in the axes at the beginning
+  V.w += A.w * h;
+  const Rotation<S> turn = rotationExp(V.w * h);
+  V.v = applyTransposed(turn, v);
+  X_WB.translation += X_WB.rotation * (v * h);
+  X_WB.rotation = orthonormalized(X_WB.rotation * turn);
 }
 
 template <class S>
@@ -38,8 +42,7 @@ void advanceByEuler(const EulerArguments& a, const BlockMemory& block, const Ste
   auto& V = *columnAt<SpatialMotion<S>, S>(block, a.base_velocity);
   const SpatialMotion<S> proper = *columnAt<SpatialMotion<S>, S>(block, a.acceleration);
   const Vec3<S> up = *columnAt<Vec3<S>, S>(block, a.up);
-  V += trueAcceleration(proper, up) * h;
-  moveBase(*columnAt<Transform<S>, S>(block, a.base_pose), V, h);
+  moveBase(*columnAt<Transform<S>, S>(block, a.base_pose), V, trueAcceleration(proper, up), h);
 }
 
 }  // namespace MUROSIMF_ISA

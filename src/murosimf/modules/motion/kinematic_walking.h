@@ -10,9 +10,8 @@
 ///            sole's pose at q(u) with height, roll and pitch dropped becomes the anchor, and the step goes on from
 ///            it. Without the search each foothold would be off by up to (foot speed) dt. [Friedmann 2007, 3.2]
 /// Hysteresis An exchange needs c <= 0 after c > eps since the last one, or a foot that goes eps deeper than it was
-/// after
-///            the last one: two soles that stay on the ground do not change roles every step, nor do two that are not
-///            parallel, of which the one that does not stand is always a little below the ground.
+///            after the last one: two soles that stay on the ground do not change roles every step, nor do two that are
+///            not parallel, of which the one that does not stand is always a little below the ground.
 /// Residual   What dropping height, roll and pitch takes away at an exchange is shown on and faded out over
 ///            `blend_time`; with soles parallel at touch-down it is zero to rounding.
 /// Placement  A new placement_count puts the base at `placement` (x, y, heading); the lower foot stands.

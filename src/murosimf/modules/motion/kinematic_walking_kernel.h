@@ -2,6 +2,7 @@
 
 /// @file Kernel of kinematic_walking.h; the equations stand there.
 
+#include "murosimf/algorithms/gravity.h"
 #include "murosimf/algorithms/tree_rows.h"
 #include "murosimf/linking/kernel.h"
 
@@ -188,7 +189,7 @@ inline void observeSupport(const KinematicWalkingArguments& a, const BlockMemory
   *columnAt<S, S>(block, a.slip) = select(both_touch & (!interrupted), speed, S(0));
   const S rate = (X_WB->translation.z - X_WB_last->translation.z) / S(time.dt);
   const S acceleration = (rate - m.height_rate) / S(time.dt);
-  *columnAt<S, S>(block, a.flight) = select((acceleration < S(-9.81)) & (!interrupted), S(1), S(0));
+  *columnAt<S, S>(block, a.flight) = select((acceleration < S(-kGravity)) & (!interrupted), S(1), S(0));
   m.height_rate = select(interrupted, S(0), rate);
   m.swing_place = roles.X_StanceSwing.translation;
   m.swing_clearance = roles.clearance;

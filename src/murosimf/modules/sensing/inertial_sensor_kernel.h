@@ -2,6 +2,7 @@
 
 /// @file Kernel of inertial_sensor.h.
 
+#include "murosimf/algorithms/gravity.h"
 #include "murosimf/algorithms/tree_rows.h"
 #include "murosimf/linking/kernel.h"
 
@@ -28,7 +29,7 @@ void inertialSensor(const InertialSensorArguments& a, const BlockMemory& block, 
   const S per_second(1.0 / time.dt);
   const Vec3<S> v = (now.translation - last.translation) * per_second;
   const Vec3<S> change = select(*started > S(0), v - *velocity, Vec3<S>{S(0), S(0), S(0)});
-  const Vec3<S> upward{change.x * per_second, change.y * per_second, fma(change.z, per_second, S(9.81))};
+  const Vec3<S> upward{change.x * per_second, change.y * per_second, fma(change.z, per_second, S(kGravity))};
   *columnAt<Vec3<S>, S>(block, a.gyroscope) = rotationLog(transposed(last.rotation) * now.rotation) * per_second;
   *columnAt<Vec3<S>, S>(block, a.accelerometer) = applyTransposed(now.rotation, upward);
   *velocity = v;

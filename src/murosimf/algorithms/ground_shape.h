@@ -1,0 +1,74 @@
+#pragma once
+
+/// @file Which points of a body's shapes may touch the ground, as tables that kernels read.
+///
+/// A box touches with its corners; an ellipsoid with its one deepest point; a cylinder with three points on the rim of
+/// each of its ends: the deepest one and those a third of a turn from it, so that it stands, tips and lies as it
+/// should. Heights over the ground z = 0 follow from the world's up direction u in the body's axes and the height of
+/// the body's origin alone: h(r) = h_0 + u . r.
+
+#include "murosimf/algorithms/surface_pair.h"
+#include "murosimf/algorithms/tree_rows.h"
+
+namespace murosimf {
+
+/// One shape on a row of the tree, in plain numbers.
+struct GroundShape {
+  enum class Kind { kBox, kEllipsoid, kCylinder };
+  Kind kind = Kind::kBox;
+  int row = 0;
+  int sole = -1;                    ///< number of the sole that this box's lower face is, or -1
+  KernelPose X_RS;                  ///< shape on the body
+  double half_size[3] = {0, 0, 0};  ///< as in Shape [m]
+  double reach = 0;                 ///< radius of a sphere about the shape's centre that holds it [m]
+  double stiffness = 0;             ///< of one point: s_c over the points on which the shape rests [N/m]
+  SurfacePair pair;                 ///< with the ground
+
+  /// Points on which a shape rests, by which the pair's stiffness is shared.
+  static constexpr int kBoxPoints = 4, kCylinderPoints = 3, kEllipsoidPoints = 1;
+};
+
+inline namespace MUROSIMF_ISA {
+
+/// Calls visit(p_S, number) for every candidate point, in the shape's axes; `up` is the world's z in them.
+template <class S, class Visit>
+inline void forCorners(const GroundShape& shape, Visit&& visit) {
+  for (int i = 0; i < 8; ++i) {  // the four of the lower face first
+    const double x = (i & 1) != 0 ? shape.half_size[0] : -shape.half_size[0];
+    const double y = (i & 2) != 0 ? shape.half_size[1] : -shape.half_size[1];
+    const double z = (i & 4) != 0 ? shape.half_size[2] : -shape.half_size[2];
+    visit(Vec3<S>{S(x), S(y), S(z)}, i);
+  }
+}
+template <class S, class Visit>
+inline void forDeepestPoint(const GroundShape& shape, const Vec3<S>& up, Visit&& visit) {
+  const S a(shape.half_size[0]), b(shape.half_size[1]), c(shape.half_size[2]);
+  const Vec3<S> scaled{a * up.x, b * up.y, c * up.z};
+  const S per_length = S(-1) / sqrt(squaredNorm(scaled));
+  visit(Vec3<S>{a * scaled.x * per_length, b * scaled.y * per_length, c * scaled.z * per_length}, 0);
+}
+template <class S, class Visit>
+inline void forRims(const GroundShape& shape, const Vec3<S>& up, Visit&& visit) {
+  constexpr double kHalf = 0.5, kSineOfThird = 0.86602540378443864676;
+  constexpr double kUpright = 1e-9;  // tilts smaller than this have no lowest side
+  const S radius(shape.half_size[0]), tilt = sqrt(fma(up.x, up.x, up.y * up.y));
+  const auto leans = tilt > S(kUpright);
+  const S scale = radius / select(leans, tilt, S(1));
+  const S x = select(leans, -up.x * scale, radius), y = select(leans, -up.y * scale, S(0));
+  for (int end = 0; end < 2; ++end) {
+    const S z(end == 0 ? -shape.half_size[2] : shape.half_size[2]);
+    const S back_x = S(-kHalf) * x, back_y = S(-kHalf) * y;
+    visit(Vec3<S>{x, y, z}, 3 * end);
+    visit(Vec3<S>{fnma(S(kSineOfThird), y, back_x), fma(S(kSineOfThird), x, back_y), z}, 3 * end + 1);
+    visit(Vec3<S>{fma(S(kSineOfThird), y, back_x), fnma(S(kSineOfThird), x, back_y), z}, 3 * end + 2);
+  }
+}
+template <class S, class Visit>
+inline void forGroundPoints(const GroundShape& shape, const Vec3<S>& up, Visit&& visit) {
+  if (shape.kind == GroundShape::Kind::kBox) return forCorners<S>(shape, visit);
+  if (shape.kind == GroundShape::Kind::kEllipsoid) return forDeepestPoint(shape, up, visit);
+  return forRims(shape, up, visit);
+}
+
+}  // namespace MUROSIMF_ISA
+}  // namespace murosimf

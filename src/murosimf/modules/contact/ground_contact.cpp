@@ -1,0 +1,102 @@
+#include "murosimf/modules/contact/ground_contact.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "murosimf/linking/links.h"
+#include "murosimf/world/vocabulary.h"
+
+namespace murosimf {
+
+namespace {
+
+constexpr double kSameFace = 1e-3;  // [m] between a sole's rectangle and the lower face of a box
+
+int restingPoints(ShapeKind kind) {
+  return kind == ShapeKind::kBox        ? GroundShape::kBoxPoints
+         : kind == ShapeKind::kCylinder ? GroundShape::kCylinderPoints
+                                        : GroundShape::kEllipsoidPoints;
+}
+
+/// The sole that is the lower face of this box; -1 when none is.
+int soleOf(const PlacedShape& s, const std::vector<SolePlace>& soles) {
+  if (s.shape.kind != ShapeKind::kBox) return -1;
+  const Vector3& half = s.shape.half_size;
+  for (std::size_t i = 0; i < soles.size(); ++i) {
+    if (soles[i].mount.row != s.row) continue;
+    double farthest = 0;
+    for (const double x : {-1.0, 1.0}) {
+      for (const double y : {-1.0, 1.0}) {
+        const Vector3 corner = s.X_BS * Vector3{x * half.x, y * half.y, -half.z};
+        const Vector3 end = soles[i].mount.X_RM * Vector3{x * soles[i].half_length, y * soles[i].half_width, 0};
+        farthest = max(farthest, norm(corner - end));
+      }
+    }
+    if (farthest < kSameFace) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+SurfacePair pairWithGround(const SurfaceTable& table, const std::string& surface) {
+  const SurfacePair* pair = table.find(surface, kGroundSurface);
+  if (pair != nullptr) return *pair;
+  throw std::invalid_argument(fmt::format("no surface pair of {0} and {1}; expected [surfaces.{0}-{1}] in the scenario",
+                                          surface, kGroundSurface));
+}
+
+GroundShape::Kind kindOf(ShapeKind kind) {
+  return kind == ShapeKind::kBox        ? GroundShape::Kind::kBox
+         : kind == ShapeKind::kCylinder ? GroundShape::Kind::kCylinder
+                                        : GroundShape::Kind::kEllipsoid;
+}
+
+}  // namespace
+
+void GroundContact::declare(Declaration& d) const {
+  d.runsIn(Phase::kEvaluate);
+  d.needs(kTree);
+  d.needs(kShapes);
+  d.uses(kSoles, {});
+  d.needs(kSurfaceTable, subset::kWorld);
+  d.reads(kBodyTwist, subset::kBodies);
+  d.reads(kBodyUp, subset::kBodies);
+  d.reads(kBodyHeight, subset::kBodies);
+  d.accumulates(kBodyForce, subset::kBodies);
+  d.accumulates(kContactTouch, subset::kBodies);
+  d.accumulates(kSoleResponse, subset::kSoles);
+  d.adds(kContactInertia, subset::kBodies);
+}
+
+void GroundContact::link(Links& links) {
+  const SurfaceTable table = links.shared(kSurfaceTable, subset::kWorld);
+  const std::vector<SolePlace> soles = links.shared(kSoles);
+  const int rows = links.shared(kTree).bodyCount();
+  for (const PlacedShape& s : links.shared(kShapes)) {
+    if (!s.collides) continue;
+    if (s.row < 0 || s.row >= rows) throw std::invalid_argument(fmt::format("a shape on row {} of {}", s.row, rows));
+    GroundShape& shape = shapes_.emplace_back();
+    shape.kind = kindOf(s.shape.kind);
+    shape.row = s.row;
+    shape.sole = soleOf(s, soles);
+    shape.X_RS = kernelPose(s.X_BS);
+    const double half_size[] = {s.shape.half_size.x, s.shape.half_size.y, s.shape.half_size.z};
+    std::copy(half_size, half_size + 3, shape.half_size);
+    shape.reach = boundingRadius(s.shape);
+    shape.pair = pairWithGround(table, s.surface);
+    if (laws_) shape.pair.normal_law = laws_->normal, shape.pair.friction_law = laws_->friction;
+    shape.stiffness = shape.pair.stiffness / restingPoints(s.shape.kind);
+  }
+  arguments_ = {shapes_.data(),
+                static_cast<int>(shapes_.size()),
+                links.column(kBodyTwist, subset::kBodies),
+                links.column(kBodyUp, subset::kBodies),
+                links.column(kBodyHeight, subset::kBodies),
+                links.column(kBodyForce, subset::kBodies),
+                links.column(kContactInertia, subset::kBodies),
+                links.column(kContactTouch, subset::kBodies),
+                links.column(kSoleResponse, subset::kSoles)};
+  kernel_ = kernelOfWidth<GroundContactArguments>(links.width());
+}
+
+}  // namespace murosimf

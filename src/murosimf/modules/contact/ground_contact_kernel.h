@@ -1,0 +1,64 @@
+#pragma once
+
+/// @file Kernel of ground_contact.h.
+
+#include "murosimf/algorithms/ground_contact.h"
+#include "murosimf/linking/kernel.h"
+
+namespace murosimf {
+
+struct GroundContactArguments {
+  const GroundShape* shapes = nullptr;
+  int count = 0;
+  ColumnRef twist, up, height, force, inertia, touch, sole_response;
+};
+
+void addBaselineKernels(KernelSet<GroundContactArguments>& kernels);
+void addWideKernels(KernelSet<GroundContactArguments>& kernels);
+
+inline namespace MUROSIMF_ISA {
+
+template <class S>
+struct SoleResponseLanes {
+  S force[4], mass[4];
+};
+
+/// A body may carry several shapes: the first that touches begins its sum.
+template <class S>
+inline void addInertia(ArticulatedInertia<S>& body, S& touch, const GroundReaction<S>& sum) {
+  if (any(touch > S(0))) {
+    body += sum.inertia;
+  } else {
+    body = sum.inertia;
+  }
+  touch = max(touch, sum.touched);
+}
+
+template <class S>
+void groundContact(const GroundContactArguments& a, const BlockMemory& block, const StepTime& time) {
+  const auto* twist = columnAt<SpatialMotion<S>, S>(block, a.twist);
+  const auto* up = columnAt<Vec3<S>, S>(block, a.up);
+  const S* height = columnAt<S, S>(block, a.height);
+  auto* force = columnAt<SpatialForce<S>, S>(block, a.force);
+  auto* soles = columnAt<SoleResponseLanes<S>, S>(block, a.sole_response);
+  const S h(time.implicit);
+  for (int i = 0; i < a.count; ++i) {
+    const GroundShape& shape = a.shapes[i];
+    const GroundedBody<S> body{twist[shape.row], up[shape.row], height[shape.row]};
+    if (!mayTouch(shape, body, h)) continue;
+    GroundReaction<S> sum;
+    addGroundShape(shape, body, h, sum, [&](int point, const PointResponse<S>& response) {
+      if (shape.sole < 0 || point >= 4) return;
+      soles[shape.sole].force[point] += response.force;
+      soles[shape.sole].mass[point] += response.mass;
+    });
+    if (!any(sum.touched > S(0))) continue;
+    force[shape.row] += sum.force;
+    if (time.implicit == 0) continue;
+    addInertia(columnAt<ArticulatedInertia<S>, S>(block, a.inertia)[shape.row],
+               columnAt<S, S>(block, a.touch)[shape.row], sum);
+  }
+}
+
+}  // namespace MUROSIMF_ISA
+}  // namespace murosimf

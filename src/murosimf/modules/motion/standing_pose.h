@@ -1,0 +1,35 @@
+#pragma once
+
+/// @file Where the base of a robot is that somebody puts on the ground with given joint positions.
+///
+/// A robot with soles stands flat on the sole below which no corner of another one lies, the last one of several such;
+/// one without soles has its base upright and touches the ground with its lowest shape. The base has the given x, y and
+/// heading.
+
+#include <span>
+#include <vector>
+
+#include "murosimf/algorithms/tree_rows.h"
+#include "murosimf/world/vocabulary.h"
+#include "murosimf/world/world.h"
+
+namespace murosimf {
+
+class StandingPose {
+ public:
+  /// @param robot  needs tree; soles and shapes where it has them
+  StandingPose(const World& world, ObjectId robot);
+  /// X_WB. q in the order of the tree's rows behind the base.
+  Pose find(std::span<const double> q, const PlanarPose& place) const;
+
+ private:
+  std::vector<Pose> bodies(std::span<const double> q) const;
+  Pose flatOnSole(const std::vector<Pose>& X_BR) const;
+  Pose onLowestShape(const std::vector<Pose>& X_BR) const;
+
+  std::vector<KernelRow> rows_;
+  std::vector<SolePlace> soles_;
+  std::vector<PlacedShape> shapes_;
+};
+
+}  // namespace murosimf

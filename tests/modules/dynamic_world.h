@@ -1,0 +1,102 @@
+#pragma once
+
+/// @file Robots with dynamics on the ground: what the tests of contacts, servos and levels of detail need.
+
+#include <cmath>
+#include <initializer_list>
+
+#include "modules/motion_world.h"
+#include "murosimf/modules/motion/standing_pose.h"
+
+namespace murosimf::motion {
+
+/// Sole on turf as the scenarios have it; bodies on turf alike, with less friction.
+inline SurfaceTable groundTable(double stiffness = 2e4) {
+  SurfacePair sole;
+  sole.stiffness = stiffness, sole.restitution_factor = 0.3;
+  sole.dissipation = 20, sole.friction = 0.8, sole.stick_speed = 0.01;
+  sole.viscous_friction = 10, sole.turning_friction = 0.1;
+  SurfacePair body = sole;
+  body.friction = 0.7, body.viscous_friction = 8;
+  SurfaceTable table;
+  table.set("sole", kGroundSurface, sole);
+  table.set("plastic", kGroundSurface, body);
+  return table;
+}
+
+/// What moves a robot.
+struct DynamicLevel {
+  std::vector<std::string> modules;
+};
+inline DynamicLevel multibody(const std::string& contact = "hunt_crossley_contact",
+                              const std::string& integrator = "implicit_euler") {
+  return {{"servo_controller", "position_servo", "tree_motion", contact, "multibody_dynamics", integrator}};
+}
+
+class DynamicWorld {
+ public:
+  explicit DynamicWorld(double step, const SurfaceTable& surfaces = groundTable()) : step_(step) {
+    world_.set(world_.root(), kSurfaceTable, surfaces);
+  }
+  /// Adds a robot that stands with the joint positions q.
+  ObjectId add(const std::string& path, const RobotBlueprint& print, const std::vector<double>& q) {
+    const ObjectId robot = addRobot(world_, path, print, Colour{});
+    const auto joints = world_.members(robot, subset::kJoints);
+    for (std::size_t i = 0; i < q.size(); ++i) world_.set(joints[i], kInitialPosition, q[i]);
+    robots_.push_back(robot);
+    start_.push_back(q);
+    return robot;
+  }
+  void link(const DynamicLevel& level, int lanes = 1) {
+    static const OutsideAccess driver([](Declaration& d) {
+      d.adds(kJointCommand, subset::kJoints);
+      d.reads(kBasePose);
+    });
+    Linker linker(world_, registry_, {step_, lanes});
+    for (const ObjectId robot : robots_) {
+      for (const std::string& name : level.modules) linker.assign({robot, name, {}, {}});
+    }
+    linker.attach({"driver", &driver, robots_});
+    Diagnostics diagnostics;
+    linked_ = linker.link(diagnostics);
+    if (linked_ == nullptr) throw std::runtime_error(diagnostics.text());
+    for (std::size_t i = 0; i < robots_.size(); ++i) place(i, {0, static_cast<double>(i), 0});
+  }
+  /// Puts robot i on the ground as it began, at rest.
+  void place(std::size_t i, const PlanarPose& pose) {
+    const Pose X_WB = StandingPose(world_, robots_[i]).find(start_[i], pose);
+    linked_->handle(robots_[i], kBasePose).set(X_WB);
+    command(robots_[i], start_[i]);
+  }
+  void command(ObjectId robot, std::span<const double> q) {
+    Handle<ServoCommand> commands = linked_->handle(robot, kJointCommand, subset::kJoints);
+    for (std::size_t j = 0; j < q.size(); ++j) commands.set({q[j], 0, 0, 1, 0}, static_cast<int>(j));
+  }
+  void step() { linked_->runFrame(frame_++); }
+  void run(double seconds) {
+    for (const long end = frame_ + std::lround(seconds / step_); frame_ < end;) step();
+  }
+
+  template <class T>
+  T get(ObjectId robot, const Variable<T>& property, std::string_view of = subset::kSelf, int object = 0) const {
+    return linked_->handle(robot, property, of).get(object);
+  }
+  Pose base(ObjectId robot) const { return get(robot, kBasePose); }
+  /// Cosine of the angle between the base's z and the world's.
+  double upright(ObjectId robot) const { return base(robot).rotation.z.z; }
+  double time() const { return static_cast<double>(frame_) * step_; }
+  World& world() { return world_; }
+  LinkedWorld& linked() { return *linked_; }
+  const std::vector<ObjectId>& robots() const { return robots_; }
+
+ private:
+  double step_;
+  World world_;
+  ModuleRegistry registry_ = allModules();
+  std::vector<ObjectId> robots_;
+  std::vector<std::vector<double>> start_;
+  std::unique_ptr<LinkedWorld> linked_;
+  long frame_ = 0;
+};
+
+}  // namespace murosimf::motion

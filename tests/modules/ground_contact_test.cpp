@@ -1,0 +1,162 @@
+// Contact with the ground against closed forms: rest, restitution, friction, tipping, rolling.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "modules/single_body.h"
+#include "murosimf/algorithms/contact_law.h"
+
+namespace murosimf::motion {
+namespace {
+
+constexpr double kG = 9.81, kMass = 2;
+
+SurfacePair turf(double stiffness = 1e4) {
+  SurfacePair pair;
+  pair.stiffness = stiffness, pair.restitution_factor = 0.3, pair.dissipation = 5;
+  pair.friction = 0.6, pair.stick_speed = 2e-3, pair.viscous_friction = 10;
+  return pair;
+}
+RobotBlueprint box() { return bodyOf(makeBox({0.2, 0.1, 0.06}), boxMass(kMass, {0.2, 0.1, 0.06}, {})); }
+RobotBlueprint ball(double radius) {
+  return bodyOf(
+      makeSphere(radius),
+      {kMass, {}, {.4 * kMass * radius * radius, .4 * kMass * radius * radius, .4 * kMass * radius * radius, 0, 0, 0}});
+}
+
+struct RestOf {
+  const char* contact;
+  double depth;  ///< in m g / s_c
+};
+class GroundContacts : public testing::TestWithParam<RestOf> {};
+
+TEST_P(GroundContacts, CarryABoxAtTheDepthOfTheirLaw) {
+  SingleBody b(box(), turf(), 1e-3, GetParam().contact, "implicit_euler");
+  b.set({Rotation3{}, {0, 0, 0.0299}});
+  b.run(2);
+  EXPECT_NEAR(0.03 - b.pose().translation.z, GetParam().depth * kMass * kG / 1e4, 1e-7);
+  EXPECT_LT(norm(b.velocity().v), 1e-6);
+}
+INSTANTIATE_TEST_SUITE_P(Laws, GroundContacts,
+                         testing::Values(RestOf{"hunt_crossley_contact", 1}, RestOf{"smooth_contact", 2 / 1.3}),
+                         [](const auto& test) { return std::string(test.param.contact); });
+
+TEST(GroundContact, PaperLawRestsBetweenTheDepthsOfItsTwoFactors) {
+  SingleBody b(box(), turf(), 1e-3, "paper_contact", "implicit_euler");
+  b.set({Rotation3{}, {0, 0, 0.0299}});
+  b.run(2);
+  const double shallow = kMass * kG / 1e4, depth = 0.03 - b.pose().translation.z;
+  EXPECT_GT(depth, shallow);
+  EXPECT_LT(depth, shallow / 0.3);
+}
+
+/// Speed with which a ball leaves the ground over that with which it came, after an impact at `speed`.
+double restitutionOf(const char* contact, const SurfacePair& pair, double speed) {
+  SingleBody b(ball(0.05), pair, 0.05 / std::sqrt(pair.stiffness) / 50, contact, "runge_kutta_4");
+  b.set({Rotation3{}, {0, 0, 0.05}}, {{}, {0, 0, -speed}});
+  b.step();
+  while (b.pose().translation.z < 0.05) b.step();
+  return b.worldVelocity().z / speed;
+}
+
+TEST(GroundContact, PaperAndSmoothReturnTheSquareRootOfTheirFactor) {
+  // With gravity e = sqrt((s_b - delta)/(1 - delta)), delta = 2 m g/(s_c D), D the largest depth [physics of eq. 1].
+  const double mg = kMass * kG, speed = 2, s_c = 1e4;
+  const double D = mg / s_c * (1 + std::sqrt(1 + s_c * speed * speed / (mg * kG)));
+  const double delta = 2 * mg / (s_c * D), expected = std::sqrt((0.3 - delta) / (1 - delta));
+  EXPECT_NEAR(restitutionOf("paper_contact", turf(), speed), expected, 1e-3);
+  EXPECT_NEAR(restitutionOf("smooth_contact", turf(), speed), expected, 1e-2);  // its passage is .02 m/s wide
+}
+
+TEST(GroundContact, HuntCrossleyReturnsTheRootOfItsEquation) {
+  SurfacePair pair = turf(1e8);  // so stiff that gravity does nothing during the impact
+  pair.normal_law = NormalLaw::kHuntCrossley, pair.dissipation = 0.6;
+  EXPECT_NEAR(restitutionOf("hunt_crossley_contact", pair, 1), restitution(pair, 1), 2e-3);
+}
+
+TEST(GroundContact, DryFrictionStopsABoxAfterTheLengthOfCoulombsLaw) {
+  SingleBody b(box(), turf(), 1e-3, "hunt_crossley_contact", "implicit_euler");
+  b.set({Rotation3{}, {0, 0, 0.03 - kMass * kG / 1e4}}, {{}, {1, 0, 0}});
+  b.run(1);
+  EXPECT_NEAR(b.pose().translation.x, 1 / (2 * 0.6 * kG), 1e-3);
+  EXPECT_LT(std::fabs(b.worldVelocity().x), 1e-6);
+}
+
+TEST(GroundContact, ViscousFrictionSlowsABoxExponentially) {
+  SurfacePair pair = turf();
+  pair.viscous_friction = 0.5;
+  SingleBody b(box(), pair, 1e-3, "smooth_contact", "implicit_euler");
+  b.set({Rotation3{}, {0, 0, 0.03 - 2 / 1.3 * kMass * kG / 1e4}}, {{}, {0.5, 0, 0}});
+  b.run(0.4);
+  EXPECT_NEAR(b.worldVelocity().x, 0.5 * std::exp(-0.5 * kG * 0.4), 2e-3);
+}
+
+TEST(GroundContact, SlidingBallRollsAwayWithFiveSeventhsOfItsSpeed) {
+  SurfacePair pair = turf();
+  SingleBody b(ball(0.05), pair, 1e-3, "hunt_crossley_contact", "implicit_euler");
+  b.set({Rotation3{}, {0, 0, 0.05 - kMass * kG / 1e4}}, {{}, {1, 0, 0}});
+  b.run(0.5);
+  const double rate = 5.0 / 7;
+  EXPECT_NEAR(b.worldVelocity().x, rate, 0.01);
+  EXPECT_NEAR((b.pose().rotation * b.velocity().w).y * 0.05, rate, 0.01);
+}
+
+/// Whether a tall box that leans by `angle` about its lower edge falls onto its side.
+bool tips(double angle) {
+  const Vector3 edges{0.06, 0.2, 0.2};
+  SingleBody b(bodyOf(makeBox(edges), boxMass(kMass, edges, {})), turf(1e6), 1e-3, "hunt_crossley_contact",
+               "implicit_euler");
+  const Rotation3 R = rotationY(angle);
+  b.set({R, Vector3{} - R * Vector3{0.03, 0, -0.1}});  // the edge at the origin
+  b.run(2);
+  return b.pose().rotation.z.z < 0.5;
+}
+
+TEST(GroundContact, BoxTipsWhenItsCentreLeavesTheEdgeItStandsOn) {
+  const double critical = std::atan2(0.03, 0.1);
+  EXPECT_FALSE(tips(critical - 0.009));
+  EXPECT_TRUE(tips(critical + 0.009));
+}
+
+TEST(GroundContact, CylinderStandsOnItsEndAndLiesOnItsSide) {
+  const double radius = 0.04, half_length = 0.06;
+  const MassProperties mass{kMass, {}, {3e-3, 3e-3, 2e-3, 0, 0, 0}};
+  SingleBody b(bodyOf(makeCylinder(radius, 2 * half_length), mass), turf(), 1e-3, "hunt_crossley_contact",
+               "implicit_euler");
+  b.set({Rotation3{}, {0, 0, half_length}});
+  b.run(1);
+  EXPECT_NEAR(b.pose().translation.z, half_length - kMass * kG / 1e4, 1e-5);
+  EXPECT_GT(b.pose().rotation.z.z, 0.999999);
+  b.set({rotationY(kPi / 2), {0, 0, radius}});
+  b.run(1);
+  EXPECT_NEAR(b.pose().translation.z, radius - 1.5 * kMass * kG / 1e4, 1e-5);  // on two of three points
+  EXPECT_LT(std::fabs(b.pose().rotation.z.z), 1e-3);
+}
+
+TEST(GroundContact, EllipsoidRestsOnItsShortestRadius) {
+  const Vector3 radii{0.08, 0.06, 0.03};
+  const MassProperties mass{kMass, {}, {2e-3, 3e-3, 4e-3, 0, 0, 0}};
+  SingleBody b(bodyOf(makeEllipsoid(radii), mass), turf(), 1e-3, "smooth_contact", "implicit_euler");
+  b.set({rotationX(0.4) * rotationY(0.3), {0, 0, 0.07}});
+  b.run(20);
+  EXPECT_NEAR(b.pose().translation.z, radii.z - 2 / 1.3 * kMass * kG / 1e4, 1e-4);
+}
+
+TEST(GroundContact, SurfaceWithoutAPairWithTheGroundIsRefused) {
+  DynamicWorld world(1e-3, SurfaceTable{});
+  world.add("body", box(), {});
+  try {
+    world.link({{"tree_motion", "smooth_contact", "multibody_dynamics", "implicit_euler"}});
+    FAIL() << "linked";
+  } catch (const std::runtime_error& problem) {
+    EXPECT_NE(std::string(problem.what())
+                  .find("no surface pair of plastic and turf; expected [surfaces.plastic-turf] in the scenario"),
+              std::string::npos)
+        << problem.what();
+  }
+}
+
+}  // namespace
+}  // namespace murosimf::motion

@@ -1,0 +1,134 @@
+// KS21 with full multibody dynamics: stands, squats, walks, in steps of any length and in lanes.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "modules/dynamic_world.h"
+#include "player/leg_inverse_kinematics.h"
+
+namespace murosimf::motion {
+namespace {
+
+const std::vector<double> kReady = gait(0, {}, 0);  // walk-ready
+
+TEST(Ks21Dynamics, StandsForAMinuteWithinMillimetres) {
+  for (const char* contact : {"hunt_crossley_contact", "smooth_contact"}) {
+    DynamicWorld world(1e-3);
+    const ObjectId robot = world.add("robot", ks21(), kReady);
+    world.link(multibody(contact));
+    world.run(1);
+    const Pose settled = world.base(robot);
+    world.run(60);
+    EXPECT_LT(norm(world.base(robot).translation - settled.translation), 1e-3) << contact;
+    EXPECT_GT(world.upright(robot), 0.99) << contact;
+  }
+}
+
+/// Joint angles with the hips this far above the ankles, trunk leaning as when it walks.
+std::vector<double> squat(double height) {
+  std::vector<double> q = kReady;
+  const Rotation3 R = rotationY(-6.5 * kPi / 180);
+  const auto leg = controllers::solveLeg(R * Vector3{-0.012, 0, -height}, R).angles;
+  for (const std::size_t first : {std::size_t{9}, std::size_t{15}}) {
+    std::copy(leg.begin(), leg.end(), q.begin() + static_cast<std::ptrdiff_t>(first));
+  }
+  return q;
+}
+
+TEST(Ks21Dynamics, SquatsOnStiffSolesInStepsOfSixteenMilliseconds) {
+  for (const double step : {1e-3, 1e-2, 1.6e-2}) {
+    DynamicWorld world(step, groundTable(5e4));
+    const ObjectId robot = world.add("robot", ks21(), squat(0.211));
+    world.link(multibody());
+    double lowest = 1, fastest = 0;
+    while (world.time() < 6) {
+      const double height = 0.1605 + 0.0505 * std::cos(kPi * world.time());  // 0.5 Hz
+      world.command(robot, squat(height));
+      world.step();
+      lowest = std::min(lowest, world.base(robot).translation.z);
+      for (int j = 0; j < 21; ++j) {
+        fastest = std::max(fastest, std::fabs(world.get(robot, kJointVelocity, subset::kJoints, j)));
+      }
+    }
+    EXPECT_GT(world.upright(robot), 0.97) << step;
+    EXPECT_LT(lowest, 0.16) << step;
+    EXPECT_LT(fastest, 4) << step;  // the knees' own way is 2 rad/s
+  }
+}
+
+/// Walks by the reference gait for `seconds`, after 2.5 s in which it gets going. @return poses of its base at both
+/// ends
+struct Way {
+  Pose begin, end;
+};
+Way walk(DynamicWorld& world, ObjectId robot, const controllers::WalkCommand& wanted, double seconds) {
+  constexpr double kPeriod = 0.52, kControl = 0.01;
+  Way way;
+  for (double t = 0; t < seconds + 2.5; t += kControl) {
+    const double amplitude = std::min(1.0, t / (2 * kPeriod)), share = std::clamp((t - 1) / 1.5, 0.0, 1.0);
+    world.command(robot, gait(t / kPeriod, {wanted.vx * share, wanted.vy * share, wanted.omega * share}, amplitude));
+    if (t < 2.5) way.begin = world.base(robot);
+    world.run(kControl);
+  }
+  way.end = world.base(robot);
+  return way;
+}
+
+TEST(Ks21Dynamics, WalksThreeMetresForwardNearlyAsFastAsCommanded) {
+  DynamicWorld world(1e-3);
+  const ObjectId robot = world.add("robot", ks21(), kReady);
+  world.link(multibody());
+  const Way way = walk(world, robot, {0.17, 0, 0}, 18);
+  const Vector3 gone = way.end.translation - way.begin.translation;
+  EXPECT_GT(gone.x, 3);
+  EXPECT_NEAR(gone.x / 18, 0.17, 0.15 * 0.17);
+  EXPECT_NEAR(gone.y, 0, 0.3);
+  EXPECT_GT(world.upright(robot), 0.97);
+}
+
+TEST(Ks21Dynamics, WalksSidewaysAndTurnsOnTheSpot) {
+  DynamicWorld world(1e-3);
+  const ObjectId robot = world.add("robot", ks21(), kReady);
+  world.link(multibody());
+  const Way way = walk(world, robot, {0, 0.05, 0}, 6);
+  EXPECT_NEAR((way.end.translation - way.begin.translation).y / 6, 0.05, 0.01);
+  DynamicWorld turning(1e-3);
+  const ObjectId turner = turning.add("robot", ks21(), kReady);
+  turning.link(multibody());
+  const Way turn = walk(turning, turner, {0, 0, 0.5}, 6);
+  EXPECT_NEAR(wrapAngle(headingOf(turn.end) - headingOf(turn.begin)), 3, 0.45);
+  EXPECT_GT(turning.upright(turner), 0.97);
+}
+
+TEST(Ks21Dynamics, LanesEqualScalarBitForBitStandingWalkingAndFalling) {
+  const auto command = [](DynamicWorld& world, std::size_t i, double t) {
+    std::vector<double> q = gait(t / 0.52, {0.05 * static_cast<double>(i), 0, 0}, i == 0 ? 0.0 : 1.0);
+    if (i == 2) q[11] -= 2 * t, q[17] -= 2 * t;  // bends forward until it lies
+    world.command(world.robots()[std::min(i, world.robots().size() - 1)], q);
+  };
+  DynamicWorld together(1e-3);
+  for (int i = 0; i < 4; ++i) together.add("robot" + std::to_string(i), ks21(), kReady);
+  together.link(multibody(), 4);
+  for (int k = 0; k < 120; ++k) {
+    for (std::size_t i = 0; i < 4; ++i) command(together, i, 0.01 * k);
+    together.run(0.01);
+  }
+  EXPECT_LT(together.upright(together.robots()[2]), 0.5) << "the one that was to fall did not";
+  for (std::size_t i = 0; i < 4; ++i) {
+    DynamicWorld alone(1e-3);
+    const ObjectId robot = alone.add("robot" + std::to_string(i), ks21(), kReady);
+    alone.link(multibody());
+    alone.place(0, {0, static_cast<double>(i), 0});
+    for (int k = 0; k < 120; ++k) {
+      command(alone, i, 0.01 * k);
+      alone.run(0.01);
+    }
+    const Pose a = together.base(together.robots()[i]), b = alone.base(robot);
+    EXPECT_EQ(std::memcmp(&a, &b, sizeof(Pose)), 0) << i;
+  }
+}
+
+}  // namespace
+}  // namespace murosimf::motion
