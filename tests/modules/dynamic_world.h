@@ -51,6 +51,8 @@ class DynamicWorld {
     static const OutsideAccess driver([](Declaration& d) {
       d.adds(kJointCommand, subset::kJoints);
       d.reads(kBasePose);
+      d.readsIfAdded(kGyroscope), d.readsIfAdded(kAccelerometer);
+      d.readsIfAdded(kSolePressure, subset::kSoles);
     });
     Linker linker(world_, registry_, {step_, lanes});
     for (const ObjectId robot : robots_) {
@@ -64,7 +66,8 @@ class DynamicWorld {
   }
   /// Puts robot i on the ground as it began, at rest.
   void place(std::size_t i, const PlanarPose& pose) {
-    const Pose X_WB = StandingPose(world_, robots_[i]).find(start_[i], pose);
+    StandingPose standing(world_, robots_[i]);
+    const Pose X_WB = standing.find(start_[i], pose);
     linked_->handle(robots_[i], kBasePose).set(X_WB);
     command(robots_[i], start_[i]);
   }

@@ -36,7 +36,9 @@ class SingleBody {
              const std::string& integrator)
       : world_(step, onGround(pair)) {
     robot_ = world_.add("body", print, {});
-    world_.link({{"tree_motion", contact, "multibody_dynamics", integrator}});
+    DynamicLevel level{{"tree_motion", contact, "multibody_dynamics", integrator}};
+    if (!print.model.imus.empty()) level.modules.emplace_back("dynamic_inertial_sensor");
+    world_.link(level);
   }
   void set(const Pose& X_WB, const SpatialMotion<double>& V_B = {}) {
     world_.linked().handle(robot_, kBasePose).set(X_WB);
@@ -45,6 +47,8 @@ class SingleBody {
   Pose pose() const { return world_.base(robot_); }
   SpatialMotion<double> velocity() const { return world_.get(robot_, kBaseVelocity); }  ///< own axes
   Vector3 worldVelocity() const { return pose().rotation * velocity().v; }
+  Vector3 accelerometer() const { return world_.get(robot_, kAccelerometer); }
+  Vector3 gyroscope() const { return world_.get(robot_, kGyroscope); }
   void run(double seconds) { world_.run(seconds); }
   void step() { world_.step(); }
 

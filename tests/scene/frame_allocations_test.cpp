@@ -58,12 +58,15 @@ long allocationsOfFrames(Simulation& simulation, int frames) {
   return allocations - before;
 }
 
-TEST(Frames, AllocateNothing) {
-  BuiltWorld built(sixRobots("none"));
+class Frames : public testing::TestWithParam<const char*> {};
+
+TEST_P(Frames, AllocateNothing) {
+  BuiltWorld built(sixRobots("none"), {std::string("robots.all.level=") + GetParam()});
   const auto simulation = built.simulation();
   allocationsOfFrames(*simulation, 100);
   const ObjectId ball = simulation->world().find("ball");
   simulation->interventions().placeBody(100, ball, {0, 0, 0.07}, {2.0, 0, 0});
+  simulation->interventions().placeRobot(500, simulation->world().find("robots.red.1"), {0.5, 0.8, 0});
   bool touched = false;
   const long before = allocations;
   for (int i = 0; i < 1000; ++i) {
@@ -74,7 +77,10 @@ TEST(Frames, AllocateNothing) {
   EXPECT_TRUE(touched) << "the ball was to meet a robot";
 }
 
-TEST(Frames, OfControlledRobotsAllocateNothingOnTheirOwnThreads) {
+INSTANTIATE_TEST_SUITE_P(Levels, Frames, testing::Values("kinematic", "full"),
+                         [](const auto& test) { return std::string(test.param); });
+
+TEST(ControlledFrames, AllocateNothingOnTheirOwnThreads) {
   BuiltWorld built(sixRobots("idle") + "[robots.all.cameras]\nhead = \"none\"\nchest = \"none\"\n",
                    {"simulation.pace=1"});
   const auto simulation = built.simulation();

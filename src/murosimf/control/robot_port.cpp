@@ -7,6 +7,7 @@ namespace murosimf {
 namespace {
 
 constexpr double kTouchHeight = 5e-4;  // [m] below which a sole counts as touching
+constexpr double kTouchForce = 1;      // [N] above which it does where forces are known
 
 bool isUsable(const client::JointCommand& c) {
   const bool finite = std::isfinite(c.position) && std::isfinite(c.velocity) && std::isfinite(c.torque) &&
@@ -22,6 +23,7 @@ const OutsideAccess& RobotPort::robotAccess() {
     d.reads(kJointPosition, subset::kJoints);
     d.reads(kJointVelocity, subset::kJoints);
     d.readsIfAdded(kSoleClearance, subset::kSoles);
+    d.readsIfAdded(kSolePressure, subset::kSoles);
     d.readsIfAdded(kGyroscope);
     d.readsIfAdded(kAccelerometer);
   });
@@ -35,6 +37,7 @@ RobotPort::RobotPort(LinkedWorld& linked, ObjectId robot, client::RobotDescripti
       position_(linked.handle(robot, kJointPosition, subset::kJoints)),
       velocity_(linked.handle(robot, kJointVelocity, subset::kJoints)),
       clearance_(linked.handle(robot, kSoleClearance, subset::kSoles)),
+      pressure_(linked.handle(robot, kSolePressure, subset::kSoles)),
       gyroscope_(linked.handle(robot, kGyroscope)),
       accelerometer_(linked.handle(robot, kAccelerometer)),
       joints_(description_.joints.size()) {}
@@ -48,9 +51,15 @@ void RobotPort::readSensors(double t, client::SensorFrame& sensors) {
   sensors.joints = joints_;
   if (gyroscope_.valid()) sensors.angular_velocity = gyroscope_.get();
   if (accelerometer_.valid()) sensors.specific_force = accelerometer_.get();
-  for (int i = 0; i < 2; ++i) {
-    sensors.foot_touches[static_cast<std::size_t>(i)] = clearance_.size() > i && clearance_.get(i) < kTouchHeight;
+  for (int i = 0; i < 2; ++i) sensors.foot_touches[static_cast<std::size_t>(i)] = touches(i);
+}
+
+bool RobotPort::touches(int sole) const {
+  if (pressure_.size() > sole) {
+    const CornerForces<> corners = pressure_.get(sole);
+    return corners.of[0] + corners.of[1] + corners.of[2] + corners.of[3] > kTouchForce;
   }
+  return clearance_.size() > sole && clearance_.get(sole) < kTouchHeight;
 }
 
 client::CommandFrame RobotPort::emptyCommands() const {

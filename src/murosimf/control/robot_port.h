@@ -32,10 +32,12 @@ class RobotPort {
   int applyCommands(const client::CommandFrame& commands);
 
  private:
+  bool touches(int sole) const;
   ObjectId robot_;
   client::RobotDescription description_;
   Handle<ServoCommand> command_;
   Handle<double> position_, velocity_, clearance_;
+  Handle<CornerForces<>> pressure_;  // of soles
   Handle<Vector3> gyroscope_, accelerometer_;
   std::vector<client::JointReading> joints_;
 };

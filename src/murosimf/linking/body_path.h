@@ -8,6 +8,8 @@
 namespace murosimf {
 
 /// A robot's body poses as others see them, also between two updates of a motion that is slower than the frame.
+/// A motion that obeys contacts makes its step behind the pair phase: to it, in a frame in which the step is yet to
+/// come, bodies go on as they moved in the last one.
 class BodyPath {
  public:
   BodyPath() = default;
@@ -15,7 +17,8 @@ class BodyPath {
   BodyPath(LinkedWorld& linked, ObjectId robot)
       : pose_(linked.handle(robot, kBodyPose, subset::kBodies)),
         last_(linked.handle(robot, kBodyPoseLast, subset::kBodies)),
-        period_(linked.periodOf(robot, kBodyPose.name)) {}
+        period_(linked.periodOf(robot, kBodyPose.name)),
+        obeys_contacts_(linked.phaseOf(robot, kBodyPose.name) == Phase::kAdvance) {}
 
   bool valid() const { return pose_.valid(); }
   /// Share of the step that has passed at the beginning of a frame, in [0, 1).
@@ -24,6 +27,9 @@ class BodyPath {
   double shareAfter(long frame) const {
     return static_cast<double>(frame % period_ + 1) / static_cast<double>(period_);
   }
+  /// Same for the pair phase, which comes before motions that obey contacts.
+  double contactShareAt(long frame) const { return shareAt(frame) + (isAhead(frame) ? 1.0 : 0.0); }
+  double contactShareAfter(long frame) const { return shareAfter(frame) + (isAhead(frame) ? 1.0 : 0.0); }
   /// X_WB of the body on a row.
   Pose pose(int row, double share) const {
     return share == 1.0 ? pose_.get(row) : interpolate(last_.get(row), pose_.get(row), share);
@@ -36,8 +42,11 @@ class BodyPath {
   Pose end(int row) const { return pose_.get(row); }
 
  private:
+  bool isAhead(long frame) const { return obeys_contacts_ && frame % period_ == 0; }
+
   Handle<Pose> pose_, last_;
   int period_ = 1;
+  bool obeys_contacts_ = false;
 };
 
 }  // namespace murosimf

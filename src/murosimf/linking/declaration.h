@@ -22,6 +22,7 @@ enum class Access {
   kReadsLast,     ///< a variable as it stood before this step: the one way to close a loop, visible here
   kAdds,          ///< a variable that this module alone writes
   kAccumulates,   ///< a sum to which several modules add; zero before each evaluation
+  kSets,          ///< a variable that somebody outside of the blocks may overwrite between frames, where it is added
 };
 
 /// The part of the frame in which a module's pass runs.
@@ -104,10 +105,23 @@ class Declaration {
     accumulates(property, of);
     reads(property, of);
   }
+  /// For interventions: they change what a module added, without being its writer.
+  template <class T>
+  void sets(const Variable<T>& property, std::string_view of = subset::kSelf) {
+    add(property, Access::kSets, of);
+  }
   void runsIn(Phase phase) { phase_ = phase; }
+  /// Runs in the phase of the module that adds this variable, behind it: poses follow a motion that is prescribed
+  /// before contacts are solved, or one that obeys them.
+  template <class T>
+  void follows(const Variable<T>& property) {
+    followed_ = property.name;
+  }
 
   const std::vector<DeclaredProperty>& properties() const { return properties_; }
   Phase phase() const { return phase_; }
+  /// Name of the variable that it follows; empty: its phase is fixed.
+  std::string_view followed() const { return followed_; }
 
   template <class T>
   static std::vector<double> numbersOf(const T& value) {
@@ -155,6 +169,7 @@ class Declaration {
 
   std::vector<DeclaredProperty> properties_;
   Phase phase_ = Phase::kAdvance;
+  std::string_view followed_;
 };
 
 }  // namespace murosimf

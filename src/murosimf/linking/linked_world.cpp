@@ -46,18 +46,28 @@ void LinkedWorld::runFrame(long frame) {
   for (const Phase phase : {Phase::kPrescribe, Phase::kAdvance, Phase::kSense}) run(phase, frame, step_memory_.data());
 }
 
-int LinkedWorld::periodOf(ObjectId assembly, std::string_view property) const {
+const LinkedPass* LinkedWorld::writerOf(ObjectId assembly, std::string_view property) const {
   for (const Place& place : places_) {
     if (place.assembly != assembly) continue;
     for (const LinkedPass& pass : batches_[static_cast<std::size_t>(place.batch)].passes) {
       Declaration declaration;
       pass.module->declare(declaration);
       for (const DeclaredProperty& p : declaration.properties()) {
-        if (p.access == Access::kAdds && p.name == property) return pass.period;
+        if (p.access == Access::kAdds && p.name == property) return &pass;
       }
     }
   }
-  return 1;
+  return nullptr;
+}
+
+int LinkedWorld::periodOf(ObjectId assembly, std::string_view property) const {
+  const LinkedPass* writer = writerOf(assembly, property);
+  return writer == nullptr ? 1 : writer->period;
+}
+
+Phase LinkedWorld::phaseOf(ObjectId assembly, std::string_view property) const {
+  const LinkedPass* writer = writerOf(assembly, property);
+  return writer == nullptr ? Phase::kPrescribe : writer->phase;
 }
 
 double* LinkedWorld::element(const Place& place, const ColumnLayout& layout) const {

@@ -47,6 +47,8 @@ class LinkedWorld {
   }
   /// Frames between two updates of a variable of an assembly; 1 when no module writes it.
   int periodOf(ObjectId assembly, std::string_view property) const;
+  /// The part of the frame in which it is written; kPrescribe when no module writes it.
+  Phase phaseOf(ObjectId assembly, std::string_view property) const;
   /// Runs the passes of one phase that are due in this frame, on one block. Step memory lasts until the next call;
   /// debug builds fill it with NaN first.
   void runBlock(Phase phase, const Batch& batch, int block, long frame, double* step_memory) const;
@@ -84,6 +86,7 @@ class LinkedWorld {
       }
     }
   }
+  const LinkedPass* writerOf(ObjectId assembly, std::string_view property) const;
   double* element(const Place& place, const ColumnLayout& layout) const;
   double* locate(ObjectId assembly, std::string_view property, std::string_view of, int components, int& stride,
                  int& objects);

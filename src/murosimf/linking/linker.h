@@ -55,6 +55,7 @@ class Linker {
 
   std::vector<Assembly> plan(Diagnostics& diagnostics) const;
   std::optional<Planned> planModule(const Assignment& assignment, Diagnostics& diagnostics) const;
+  static void choosePhases(Assembly& assembly);
   void checkAssembly(const Assembly& assembly, Diagnostics& diagnostics) const;
   void checkIntegrator(const Assembly& assembly, Diagnostics& diagnostics) const;
   void checkConstant(const Assembly& assembly, const Planned& module, const DeclaredProperty& property,

@@ -62,6 +62,19 @@ std::optional<Linker::Planned> Linker::planModule(const Assignment& assignment, 
   return planned;
 }
 
+/// Puts modules that follow a variable into its writer's phase.
+void Linker::choosePhases(Assembly& assembly) {
+  for (Planned& follower : assembly.modules) {
+    const std::string_view followed = follower.declaration.followed();
+    if (followed.empty()) continue;
+    for (const Planned& writer : assembly.modules) {
+      for (const DeclaredProperty& p : writer.declaration.properties()) {
+        if (p.access == Access::kAdds && p.name == followed) follower.declaration.runsIn(writer.declaration.phase());
+      }
+    }
+  }
+}
+
 std::vector<Linker::Assembly> Linker::plan(Diagnostics& diagnostics) const {
   std::vector<Assembly> assemblies;
   const auto assemblyOf = [&](ObjectId id) -> Assembly& {
@@ -89,6 +102,7 @@ std::vector<Linker::Assembly> Linker::plan(Diagnostics& diagnostics) const {
       attachment.module->declare(planned.declaration);
     }
   }
+  for (Assembly& assembly : assemblies) choosePhases(assembly);
   std::sort(assemblies.begin(), assemblies.end(),
             [&](const Assembly& a, const Assembly& b) { return world_.path(a.id) < world_.path(b.id); });
   return assemblies;

@@ -121,6 +121,8 @@ std::string_view wordFor(Access access) {
       return "adds";
     case Access::kAccumulates:
       return "adds to";
+    case Access::kSets:
+      return "may set";
   }
   return "";
 }

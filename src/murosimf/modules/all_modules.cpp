@@ -10,6 +10,8 @@
 #include "murosimf/modules/integration/runge_kutta.h"
 #include "murosimf/modules/kinematics/body_poses.h"
 #include "murosimf/modules/motion/kinematic_walking.h"
+#include "murosimf/modules/sensing/dynamic_inertial_sensor.h"
+#include "murosimf/modules/sensing/foot_pressure.h"
 #include "murosimf/modules/sensing/inertial_sensor.h"
 
 namespace murosimf {
@@ -22,7 +24,7 @@ ModuleRegistry allModules() {
   all.add<KinematicWalking>("kinematic_walking", "motion", "the stance foot is pinned to the ground",
                             KinematicWalking::parameters());
   all.add<BodyPoses>("body_poses", "kinematics", "world poses of all bodies");
-  all.add<TreeMotionPass>("tree_motion", "kinematics", "velocities of all bodies in their own axes");
+  all.add<TreeMotionPass>("tree_motion", "velocities", "velocities of all bodies in their own axes");
   all.add<HuntCrossleyContact>("hunt_crossley_contact", "contact", "ground: law of Hunt and Crossley, dry friction");
   all.add<SmoothContact>("smooth_contact", "contact", "ground: the paper's law without its jump, viscous friction");
   all.add<PaperContact>("paper_contact", "contact", "ground: the paper's law, viscous friction");
@@ -34,7 +36,9 @@ ModuleRegistry allModules() {
   all.add<ExplicitEuler>("explicit_euler", "integration", "moves with the velocity at the step's beginning; order 1");
   all.add<Midpoint>("midpoint", "integration", "two evaluations a step; order 2");
   all.add<RungeKutta4>("runge_kutta_4", "integration", "four evaluations a step; order 4");
-  all.add<InertialSensor>("inertial_sensor", "sensing", "gyroscope and accelerometer without noise");
+  all.add<InertialSensor>("inertial_sensor", "sensing", "gyroscope and accelerometer from how the body moved");
+  all.add<DynamicInertialSensor>("dynamic_inertial_sensor", "sensing", "gyroscope and accelerometer from the dynamics");
+  all.add<FootPressure>("foot_pressure", "pressure", "forces under the four corners of each sole");
   return all;
 }
 

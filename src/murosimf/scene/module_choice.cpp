@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 namespace murosimf {
 
@@ -12,16 +13,27 @@ namespace {
 struct Slot {
   std::string_view name, module;
 };
-constexpr Slot kKinematicLevel[] = {{"actuation", "ideal_servo"},
+constexpr Slot kKinematicSlots[] = {{"actuation", "ideal_servo"},
                                     {"motion", "kinematic_walking"},
                                     {"kinematics", "body_poses"},
                                     {"sensing", "inertial_sensor"}};
-constexpr double kMotionPeriod = 0.01;  // [s] of kinematic robots
+constexpr Slot kMultibodySlots[] = {
+    {"electronics", "servo_controller"},  {"velocities", "tree_motion"},     {"actuation", "position_servo"},
+    {"contact", "hunt_crossley_contact"}, {"motion", "multibody_dynamics"},  {"sensing", "dynamic_inertial_sensor"},
+    {"pressure", "foot_pressure"},        {"integration", "implicit_euler"}, {"kinematics", "body_poses"}};
+/// A level of detail: a motion module, and the modules that go with it.
+struct Level {
+  std::string_view name, motion;
+  std::span<const Slot> slots;
+  double period;  ///< [s]; 0: every frame
+};
+constexpr Level kLevels[] = {{"kinematic", "kinematic_walking", kKinematicSlots, 0.01},
+                             {"full", "multibody_dynamics", kMultibodySlots, 0}};
 constexpr std::string_view kExtraModule = "modules.";
 
-std::vector<std::string> slotNames() {
+std::vector<std::string> slotNames(const Level& level) {
   std::vector<std::string> names;
-  for (const Slot& slot : kKinematicLevel) names.emplace_back(slot.name);
+  for (const Slot& slot : level.slots) names.emplace_back(slot.name);
   return names;
 }
 
@@ -47,10 +59,24 @@ SourceLocation placeOf(const ModuleChoice& choice, const RobotSettings& robot) {
   return choice.parameters.empty() ? robot.where : choice.parameters.front().name_where;
 }
 
-/// The motion's period holds for all modules of a kinematic robot that do not say otherwise: they follow it.
-double motionPeriod(const RobotSettings& robot) {
+/// The level that the robot has by name, or that of the motion module that was chosen for it: what a motion needs
+/// beside it comes with it.
+const Level& levelOf(const RobotSettings& robot) {
   const ModuleChoice* motion = choiceFor(robot, "motion");
-  return motion != nullptr && *motion->period > 0 ? *motion->period : kMotionPeriod;
+  const Level* found = &kLevels[0];
+  for (const Level& level : kLevels) {
+    if (level.name == *robot.level) found = &level;
+  }
+  for (const Level& level : kLevels) {
+    if (motion != nullptr && level.motion == *motion->module) found = &level;
+  }
+  return *found;
+}
+
+/// The motion's period holds for all modules of the robot that do not say otherwise: they follow it.
+double motionPeriod(const RobotSettings& robot, const Level& level) {
+  const ModuleChoice* motion = choiceFor(robot, "motion");
+  return motion != nullptr && *motion->period > 0 ? *motion->period : level.period;
 }
 
 Assignment assignmentOf(std::string module, const ModuleChoice* choice, double period, const SourceLocation& where) {
@@ -92,9 +118,10 @@ WrittenValue writtenValue(const SceneValue& value) {
 std::vector<Assignment> modulesOf(const RobotSettings& robot, const ModuleRegistry& registry,
                                   Diagnostics& diagnostics) {
   std::vector<Assignment> assignments;
-  const std::vector<std::string> slots = slotNames();
-  const double period = motionPeriod(robot);
-  for (const Slot& slot : kKinematicLevel) {
+  const Level& level = levelOf(robot);
+  const std::vector<std::string> slots = slotNames(level);
+  const double period = motionPeriod(robot, level);
+  for (const Slot& slot : level.slots) {
     const ModuleChoice* choice = choiceFor(robot, slot.name);
     const std::string module =
         choice == nullptr || choice->module->empty() ? std::string(slot.module) : *choice->module;
@@ -121,7 +148,7 @@ std::vector<Assignment> modulesOf(const RobotSettings& robot, const ModuleRegist
       assignments.push_back(assignmentOf(name, &choice, period, robot.where));
     } else if (std::find(slots.begin(), slots.end(), choice.slot) == slots.end()) {
       diagnostics.error(placeOf(choice, robot), fmt::format("{}: level \"{}\" has no {}; it has {}", robot.path(),
-                                                            *robot.level, choice.slot, fmt::join(slots, ", ")));
+                                                            level.name, choice.slot, fmt::join(slots, ", ")));
     }
   }
   return assignments;

@@ -95,9 +95,10 @@ class RobotReader {
   void readLevel(RobotSettings& robot) {
     const TextNode* node = reader_.child("level");
     const std::optional<std::string> word = node == nullptr ? std::nullopt : readText(*node);
-    if (word == "full" || word == "fast" || word == "oracle") {
-      problems_.error(node->where,
-                      fmt::format("level \"{}\" comes with a later version, available now: \"kinematic\"", *word));
+    if (word == "fast" || word == "oracle") {
+      problems_.error(node->where, fmt::format("level \"{}\" comes with a later version, available now: \"kinematic\", "
+                                               "\"full\"",
+                                               *word));
       return;
     }
     reader_.read("level", robot.level);

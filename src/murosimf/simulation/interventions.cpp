@@ -12,23 +12,15 @@ namespace murosimf {
 
 namespace {
 constexpr std::size_t kUsualRequests = 64;  // at once: a kick-off places everybody
+constexpr std::size_t kUsualLog = 1024;     // of a game; a longer one makes room now and then
 }  // namespace
-
-const OutsideAccess& InterventionQueue::robotAccess() {
-  static const OutsideAccess access([](Declaration& d) {
-    d.adds(kPlacement);
-    d.adds(kPlacementCount);
-  });
-  return access;
-}
 
 InterventionQueue::InterventionQueue(const World& world, LinkedWorld& linked, PairPhase& pairs,
                                      const std::vector<ObjectId>& robots, const std::vector<ObjectId>& free_bodies)
     : world_(world), pairs_(pairs), free_bodies_(free_bodies) {
-  for (const ObjectId id : robots) {
-    robots_.push_back({id, linked.handle(id, kPlacement), linked.handle(id, kPlacementCount)});
-  }
+  for (const ObjectId id : robots) robots_.emplace_back(world, linked, id);
   waiting_.reserve(kUsualRequests);
+  log_.reserve(kUsualLog);
 }
 
 void InterventionQueue::request(long frame, const Intervention& intervention) {
@@ -48,10 +40,10 @@ void InterventionQueue::check(const Intervention& i) const {
     throw std::invalid_argument(
         fmt::format("{} cannot be placed there: a number is not finite", world_.path(i.object)));
   }
-  const bool known =
-      i.kind == Intervention::Kind::kPlaceBody
-          ? std::find(free_bodies_.begin(), free_bodies_.end(), i.object) != free_bodies_.end()
-          : std::any_of(robots_.begin(), robots_.end(), [&](const Robot& robot) { return robot.object == i.object; });
+  const bool known = i.kind == Intervention::Kind::kPlaceBody
+                         ? std::find(free_bodies_.begin(), free_bodies_.end(), i.object) != free_bodies_.end()
+                         : std::any_of(robots_.begin(), robots_.end(),
+                                       [&](const RobotPlacer& placer) { return placer.robot() == i.object; });
   if (!known) throw std::invalid_argument("an intervention places an object that is no robot or free body");
 }
 
@@ -78,10 +70,8 @@ void InterventionQueue::act(const Intervention& i) {
     pairs_.placeBody(i.object, X_WB, i.velocity);
     return;
   }
-  for (Robot& robot : robots_) {
-    if (robot.object != i.object) continue;
-    robot.placement.set(i.pose);
-    robot.count.set(robot.count.get() + 1);
+  for (RobotPlacer& placer : robots_) {
+    if (placer.robot() == i.object) placer.place(i.pose);
   }
 }
 

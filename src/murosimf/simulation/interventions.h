@@ -11,6 +11,7 @@
 
 #include "murosimf/math/state_archive.h"
 #include "murosimf/modules/contact/pair_phase.h"
+#include "murosimf/modules/motion/robot_placer.h"
 
 namespace murosimf {
 
@@ -26,9 +27,6 @@ struct Intervention {
 
 class InterventionQueue {
  public:
-  /// What it gives to robots: attach this when linking.
-  static const OutsideAccess& robotAccess();
-
   /// World and pair phase must live longer.
   InterventionQueue(const World& world, LinkedWorld& linked, PairPhase& pairs, const std::vector<ObjectId>& robots,
                     const std::vector<ObjectId>& free_bodies);
@@ -50,17 +48,12 @@ class InterventionQueue {
   void archive(StateArchive& archive) { archive(waiting_); }
 
  private:
-  struct Robot {
-    ObjectId object;
-    Handle<PlanarPose> placement;
-    Handle<double> count;
-  };
   void check(const Intervention& intervention) const;
   void act(const Intervention& intervention);
 
   const World& world_;
   PairPhase& pairs_;
-  std::vector<Robot> robots_;
+  std::vector<RobotPlacer> robots_;
   std::vector<ObjectId> free_bodies_;
   std::vector<Logged> waiting_, log_;  // waiting_ in the order in which they act
 };

@@ -7,7 +7,7 @@
 namespace murosimf {
 
 std::vector<Attachment> frameAttachments(const Participants& participants) {
-  return {{"interventions", &InterventionQueue::robotAccess(), participants.robots},
+  return {{"interventions", &RobotPlacer::robotAccess(), participants.robots},
           {"robot_port", &RobotPort::robotAccess(), participants.robots},
           {"pair_phase", &PairPhase::robotAccess(), participants.robots},
           {"pair_phase", &PairPhase::freeBodyAccess(), participants.free_bodies},

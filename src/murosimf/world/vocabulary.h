@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "murosimf/algorithms/camera_model.h"
+#include "murosimf/algorithms/corner_forces.h"
 #include "murosimf/algorithms/ray_scene.h"
 #include "murosimf/algorithms/shape.h"
 #include "murosimf/algorithms/tree_table.h"
@@ -131,22 +132,18 @@ inline constexpr Variable<double> kJointAcceleration{"joint_acceleration", "rad/
 inline constexpr Variable<SpatialMotion<double>> kBodyAcceleration{
     "body_acceleration", "SI", "proper: what an accelerometer feels", Storage::kStep};
 
-/// Normal forces on the four corners of a sole: each is `force` less `mass` times the corner's proper acceleration
-/// along up. Corners in the order (-x -y), (+x -y), (-x +y), (+x +y).
-template <class S = double>
-struct SoleResponse {
-  S force[4]{}, mass[4]{};
-};
 inline constexpr Variable<ArticulatedInertia<double>> kContactInertia{
     "contact_inertia", "SI", "what contacts add to a body's inertia in a step that looks ahead", Storage::kStep};
 inline constexpr Variable<double> kContactTouch{"contact_touch", "1", "1 where contact_inertia holds", Storage::kStep};
-inline constexpr Variable<SoleResponse<double>> kSoleResponse{"sole_response", "SI",
-                                                              "normal forces on a sole's corners", Storage::kStep};
+inline constexpr Variable<CornerResponses<>> kSoleResponse{"sole_response", "SI", "normal forces on a sole's corners",
+                                                           Storage::kStep};
 
 // Variables of sensors.
 inline constexpr Variable<Vector3> kGyroscope{"gyroscope", "rad/s", "angular velocity in the sensor's axes",
                                               Storage::kKept};
 inline constexpr Variable<Vector3> kAccelerometer{"accelerometer", "m/s^2", "specific force in the sensor's axes",
                                                   Storage::kKept};
+inline constexpr Variable<CornerForces<>> kSolePressure{"sole_pressure", "N", "normal forces on a sole's corners",
+                                                        Storage::kKept};
 
 }  // namespace murosimf

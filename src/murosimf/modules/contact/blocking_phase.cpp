@@ -9,7 +9,7 @@ const OutsideAccess& BlockingPhase::robotAccess() {
   static const OutsideAccess access([](Declaration& d) {
     d.needs(kBlockingRadius);
     d.reads(kBasePose);
-    d.reads(kBasePoseLast);
+    d.readsIfAdded(kBasePoseLast);
     d.adds(kPlanarShift);
   });
   return access;
@@ -24,6 +24,7 @@ BlockingPhase::BlockingPhase(const World& world, LinkedWorld& linked, std::vecto
     BlockingDisc& disc = discs_.emplace_back();
     disc.name = hashName(world.path(id));
     disc.radius = *world.find(id, kBlockingRadius);
+    disc.fixed = !robots_.back().last.valid();
   }
   for (const ObjectId id : fixed) {
     const Pose X_WB = *world.find(id, kFixedPose);
@@ -42,8 +43,12 @@ void BlockingPhase::advance(long frame) {
   int longest = 0;
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const Robot& robot = robots_[i];
-    const bool updated = frame % robot.period == 0;
     const Vector3 now = robot.pose.get().translation;
+    if (discs_[i].fixed) {
+      discs_[i].x = now.x, discs_[i].y = now.y;
+      continue;
+    }
+    const bool updated = frame % robot.period == 0;
     // What the last shift contributed is no part of the robot's own way.
     const Vector3 way = updated ? now - robot.last.get().translation - robot.shift.get() : Vector3{};
     discs_[i].x = now.x, discs_[i].y = now.y;
@@ -55,7 +60,8 @@ void BlockingPhase::advance(long frame) {
   rule_.apply(discs_, longest * frame_length_);
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     Robot& robot = robots_[i];
-    if (frame % robot.period == 0) robot.shift.set({discs_[i].dx - wanted_[i].dx, discs_[i].dy - wanted_[i].dy, 0});
+    if (!discs_[i].fixed && frame % robot.period == 0)
+      robot.shift.set({discs_[i].dx - wanted_[i].dx, discs_[i].dy - wanted_[i].dy, 0});
   }
 }
 

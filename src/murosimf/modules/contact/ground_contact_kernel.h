@@ -2,6 +2,7 @@
 
 /// @file Kernel of ground_contact.h.
 
+#include "murosimf/algorithms/corner_forces.h"
 #include "murosimf/algorithms/ground_contact.h"
 #include "murosimf/linking/kernel.h"
 
@@ -17,11 +18,6 @@ void addBaselineKernels(KernelSet<GroundContactArguments>& kernels);
 void addWideKernels(KernelSet<GroundContactArguments>& kernels);
 
 inline namespace MUROSIMF_ISA {
-
-template <class S>
-struct SoleResponseLanes {
-  S force[4], mass[4];
-};
 
 /// A body may carry several shapes: the first that touches begins its sum.
 template <class S>
@@ -40,7 +36,7 @@ void groundContact(const GroundContactArguments& a, const BlockMemory& block, co
   const auto* up = columnAt<Vec3<S>, S>(block, a.up);
   const S* height = columnAt<S, S>(block, a.height);
   auto* force = columnAt<SpatialForce<S>, S>(block, a.force);
-  auto* soles = columnAt<SoleResponseLanes<S>, S>(block, a.sole_response);
+  auto* soles = columnAt<CornerResponses<S>, S>(block, a.sole_response);
   const S h(time.implicit);
   for (int i = 0; i < a.count; ++i) {
     const GroundShape& shape = a.shapes[i];
@@ -49,8 +45,8 @@ void groundContact(const GroundContactArguments& a, const BlockMemory& block, co
     GroundReaction<S> sum;
     addGroundShape(shape, body, h, sum, [&](int point, const PointResponse<S>& response) {
       if (shape.sole < 0 || point >= 4) return;
-      soles[shape.sole].force[point] += response.force;
-      soles[shape.sole].mass[point] += response.mass;
+      soles[shape.sole].force.of[point] += response.force;
+      soles[shape.sole].mass.of[point] += response.mass;
     });
     if (!any(sum.touched > S(0))) continue;
     force[shape.row] += sum.force;

@@ -196,7 +196,7 @@ void PairPhase::addFixed(std::size_t body, double reach) {
 
 void PairPhase::addRobot(std::size_t body, const Robot& robot, double reach, long frame) {
   const Vector3 centre = frame_.bodies[body].X_WB.translation;
-  const double begin = robot.path.shareAt(frame), end = robot.path.shareAfter(frame);
+  const double begin = robot.path.contactShareAt(frame), end = robot.path.contactShareAfter(frame);
   const double far = reach + robot.reach;
   if (squaredNorm(robot.path.position(0, end) - centre) > far * far) return;
   for (const Obstacle& obstacle : robot.shapes) {

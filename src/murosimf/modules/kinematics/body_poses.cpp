@@ -1,23 +1,25 @@
 #include "murosimf/modules/kinematics/body_poses.h"
 
+#include <algorithm>
+
 #include "murosimf/linking/links.h"
 #include "murosimf/world/vocabulary.h"
 
 namespace murosimf {
 
 namespace {
-constexpr Variable<double> kPosesComputed{"poses_computed", "1", "1 once body_pose holds poses", Storage::kKept};
+constexpr Variable<double> kPlacementsShown{"placements_shown", "1", "placement_count of body_pose", Storage::kKept};
 }  // namespace
 
 void BodyPoses::declare(Declaration& d) const {
-  d.runsIn(Phase::kPrescribe);
+  d.follows(kBasePose);
   d.needs(kTree);
   d.reads(kJointPosition, subset::kJoints);
   d.readsInStep(kBasePose);
-  d.readsInStep(kBasePoseLast);
+  d.reads(kPlacementCount);
   d.adds(kBodyPose, subset::kBodies);
   d.adds(kBodyPoseLast, subset::kBodies);
-  d.adds(kPosesComputed);
+  d.adds(kPlacementsShown);
 }
 
 void BodyPoses::link(Links& links) {
@@ -26,11 +28,18 @@ void BodyPoses::link(Links& links) {
                 static_cast<int>(rows_.size()),
                 links.column(kJointPosition, subset::kJoints),
                 links.column(kBasePose),
-                links.column(kBasePoseLast),
+                links.column(kPlacementCount),
                 links.column(kBodyPose, subset::kBodies),
                 links.column(kBodyPoseLast, subset::kBodies),
-                links.column(kPosesComputed)};
-  kernel_ = kernelOfWidth<BodyPosesArguments>(links.width());
+                links.column(kPlacementsShown)};
+  width_ = links.width();
+  kernel_ = kernelOfWidth<BodyPosesArguments>(width_);
+}
+
+void BodyPoses::initialise(const BlockMemory& block) const {
+  // No placement has been shown yet, not even the one that stands at the start.
+  double* shown = block.piece[static_cast<int>(arguments_.shown.memory)] + arguments_.shown.offset * width_;
+  std::fill_n(shown, width_, -1.0);
 }
 
 }  // namespace murosimf

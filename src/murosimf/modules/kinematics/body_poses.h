@@ -3,7 +3,7 @@
 /// @file World poses of all bodies of a robot, for those who look at it: cameras, contacts, pictures.
 ///
 /// Model      X_WB(child) = X_WB(parent) X_PF J(q), from the base outwards, O(bodies).
-/// Phase      kPrescribe: behind the motion module, at its rate. Runs only when somebody reads body_pose.
+/// Phase      that of the module that adds base_pose, behind it, at its rate. Runs only when somebody reads body_pose.
 /// Adds       body_pose and body_pose_last of the bodies. Between the two ends of a step a body is taken to move on
 ///            the straight path from one to the other. After a placement both ends are the new pose.
 /// Cost       one rotation about an axis and one transformed point a body.
@@ -17,11 +17,13 @@ class BodyPoses final : public BlockModule {
  public:
   void declare(Declaration& declaration) const override;
   void link(Links& links) override;
+  void initialise(const BlockMemory& block) const override;
   void step(const BlockMemory& block, const StepTime& time) const override { kernel_(arguments_, block, time); }
 
  private:
   std::vector<KernelRow> rows_;
   BodyPosesArguments arguments_;
+  int width_ = 1;
   KernelSet<BodyPosesArguments>::Kernel kernel_ = nullptr;
 };
 

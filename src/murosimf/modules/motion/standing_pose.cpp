@@ -27,26 +27,19 @@ double lowestPoint(const Pose& X, const Shape& shape) {
 
 StandingPose::StandingPose(const World& world, ObjectId robot) {
   rows_ = kernelRows(*world.findShared(robot, kTree));
+  X_BR_.resize(rows_.size());
   if (const auto* soles = world.findShared(robot, kSoles)) soles_ = *soles;
   if (const auto* shapes = world.findShared(robot, kShapes)) shapes_ = *shapes;
 }
 
-std::vector<Pose> StandingPose::bodies(std::span<const double> q) const {
-  std::vector<Pose> X_BR{Pose{}};
-  for (std::size_t i = 1; i < rows_.size(); ++i) {
-    X_BR.push_back(childPose(X_BR[static_cast<std::size_t>(rows_[i].parent)], rows_[i], q[i - 1]));
-  }
-  return X_BR;
-}
-
-Pose StandingPose::flatOnSole(const std::vector<Pose>& X_BR) const {
+Pose StandingPose::flatOnSole() const {
   Pose best;
   double highest = -std::numeric_limits<double>::infinity();
   for (const SolePlace& stance : soles_) {
-    const Pose X_SB = inverse(X_BR[static_cast<std::size_t>(stance.mount.row)] * stance.mount.X_RM);
+    const Pose X_SB = inverse(X_BR_[static_cast<std::size_t>(stance.mount.row)] * stance.mount.X_RM);
     double lowest = 0;
     for (const SolePlace& other : soles_) {
-      const Pose X_SO = X_SB * X_BR[static_cast<std::size_t>(other.mount.row)] * other.mount.X_RM;
+      const Pose X_SO = X_SB * X_BR_[static_cast<std::size_t>(other.mount.row)] * other.mount.X_RM;
       if (&other != &stance) lowest = min(lowest, lowestCorner(X_SO, other));
     }
     if (lowest >= min(highest, -kLevel)) highest = max(lowest, highest), best = X_SB;
@@ -54,17 +47,19 @@ Pose StandingPose::flatOnSole(const std::vector<Pose>& X_BR) const {
   return best;
 }
 
-Pose StandingPose::onLowestShape(const std::vector<Pose>& X_BR) const {
+Pose StandingPose::onLowestShape() const {
   double lowest = 0;
   for (const PlacedShape& s : shapes_) {
-    if (s.collides) lowest = min(lowest, lowestPoint(X_BR[static_cast<std::size_t>(s.row)] * s.X_BS, s.shape));
+    if (s.collides) lowest = min(lowest, lowestPoint(X_BR_[static_cast<std::size_t>(s.row)] * s.X_BS, s.shape));
   }
   return {Rotation3{}, {0, 0, -lowest}};
 }
 
-Pose StandingPose::find(std::span<const double> q, const PlanarPose& place) const {
-  const std::vector<Pose> X_BR = bodies(q);
-  const Pose X = soles_.empty() ? onLowestShape(X_BR) : flatOnSole(X_BR);
+Pose StandingPose::find(std::span<const double> q, const PlanarPose& place) {
+  for (std::size_t i = 1; i < rows_.size(); ++i) {
+    X_BR_[i] = childPose(X_BR_[static_cast<std::size_t>(rows_[i].parent)], rows_[i], q[i - 1]);
+  }
+  const Pose X = soles_.empty() ? onLowestShape() : flatOnSole();
   const double turn = place.heading - atan2(X.rotation.x.y, X.rotation.x.x);
   return {rotationZ(turn) * X.rotation, {place.x, place.y, X.translation.z}};
 }

@@ -19,14 +19,15 @@ class StandingPose {
  public:
   /// @param robot  needs tree; soles and shapes where it has them
   StandingPose(const World& world, ObjectId robot);
-  /// X_WB. q in the order of the tree's rows behind the base.
-  Pose find(std::span<const double> q, const PlanarPose& place) const;
+  int joints() const { return static_cast<int>(rows_.size()) - 1; }
+  /// X_WB. q in the order of the tree's rows behind the base. Allocates nothing.
+  Pose find(std::span<const double> q, const PlanarPose& place);
 
  private:
-  std::vector<Pose> bodies(std::span<const double> q) const;
-  Pose flatOnSole(const std::vector<Pose>& X_BR) const;
-  Pose onLowestShape(const std::vector<Pose>& X_BR) const;
+  Pose flatOnSole() const;
+  Pose onLowestShape() const;
 
+  std::vector<Pose> X_BR_;  // of every row, as last found
   std::vector<KernelRow> rows_;
   std::vector<SolePlace> soles_;
   std::vector<PlacedShape> shapes_;

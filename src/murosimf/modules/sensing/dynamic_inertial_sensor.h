@@ -1,0 +1,29 @@
+#pragma once
+
+/// @file Gyroscope and accelerometer of an inertial measurement unit, from the accelerations that dynamics finds.
+///
+/// Model      w of the unit's body and the specific force f = A_v + A_w x p + w x (v + w x p) at the unit's place p,
+/// with
+///            A the body's proper acceleration, both in the unit's axes, without noise. In steps that look ahead w is
+///            that at the end of the step, f the mean over it.
+/// Phase      kEvaluate, behind the dynamics: with several evaluations a step the last one counts.
+/// Cost       three cross products and two rotations. No world poses are needed.
+/// Exchange   with any module that adds gyroscope and accelerometer.
+
+#include "murosimf/linking/module.h"
+#include "murosimf/modules/sensing/dynamic_inertial_sensor_kernel.h"
+
+namespace murosimf {
+
+class DynamicInertialSensor final : public BlockModule {
+ public:
+  void declare(Declaration& declaration) const override;
+  void link(Links& links) override;
+  void step(const BlockMemory& block, const StepTime& time) const override { kernel_(arguments_, block, time); }
+
+ private:
+  DynamicInertialSensorArguments arguments_;
+  KernelSet<DynamicInertialSensorArguments>::Kernel kernel_ = nullptr;
+};
+
+}  // namespace murosimf

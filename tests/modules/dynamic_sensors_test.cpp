@@ -1,0 +1,85 @@
+// Sensors of robots with dynamics against what the laws of motion say that they feel.
+
+#include <gtest/gtest.h>
+
+#include "modules/single_body.h"
+
+namespace murosimf::motion {
+namespace {
+
+constexpr double kG = 9.81;
+
+/// A box that carries an inertial measurement unit at p, turned by R.
+RobotBlueprint boxWithImu(const Pose& X_BI) {
+  RobotBlueprint print = bodyOf(makeBox({0.2, 0.1, 0.06}), boxMass(2, {0.2, 0.1, 0.06}, {}));
+  ImuMount imu;
+  imu.name = "imu", imu.body = 0, imu.X_BI = X_BI;
+  print.model.imus.push_back(imu);
+  return print;
+}
+
+SurfacePair hardGround() {
+  SurfacePair pair;
+  pair.stiffness = 1e4, pair.dissipation = 20;
+  return pair;
+}
+
+TEST(DynamicInertialSensor, AtRestItFeelsTheGroundPushUpwardInItsOwnAxes) {
+  const Rotation3 R_BI = rotationX(0.5) * rotationZ(0.3);
+  SingleBody b(boxWithImu({R_BI, {0.05, 0.02, 0.01}}), hardGround(), 1e-3, "hunt_crossley_contact", "implicit_euler");
+  b.set({rotationZ(1.0), {0, 0, 0.03 - 2 * kG / 1e4}});
+  b.run(0.5);
+  EXPECT_LT(norm(b.accelerometer() - applyTransposed(R_BI, Vector3{0, 0, kG})), 1e-9);
+  EXPECT_LT(norm(b.gyroscope()), 1e-9);
+}
+
+TEST(DynamicInertialSensor, InFreeFallItFeelsOnlyItsCircleAboutTheCentreOfMass) {
+  const Vector3 p{0.05, 0.02, 0.01}, w{0, 0, 7};
+  SingleBody b(boxWithImu({Rotation3{}, p}), hardGround(), 1e-3, "hunt_crossley_contact", "runge_kutta_4");
+  b.set({rotationX(0.4), {0, 0, 5}}, {w, {1, 2, 3}});  // about a principal axis: w stays
+  b.run(0.2);
+  EXPECT_LT(norm(b.accelerometer() - cross(w, cross(w, p))), 1e-9);
+  EXPECT_LT(norm(b.gyroscope() - w), 1e-9);
+}
+
+TEST(FootPressure, OfAStandingRobotIsItsWeightAndItsCentreLiesUnderTheCentreOfMass) {
+  DynamicWorld world(1e-3);
+  const ObjectId robot = world.add("robot", ks21(), gait(0, {}, 0));
+  DynamicLevel level = multibody();
+  level.modules.emplace_back("foot_pressure");
+  world.link(level);
+  world.run(3);
+  const auto soles = *world.world().findShared(robot, kSoles);
+  const std::vector<KernelRow> rows = kernelRows(ks21().flat.table);
+  std::vector<Pose> X{world.base(robot)};
+  Vector3 first;
+  double mass = 0, sum = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const int row = static_cast<int>(i);
+    if (row > 0) {
+      X.push_back(childPose(X[static_cast<std::size_t>(rows[i].parent)], rows[i],
+                            world.get(robot, kJointPosition, subset::kJoints, row - 1)));
+    }
+    const RigidInertia<double> body =
+        *world.world().find(world.world().members(robot, subset::kBodies)[i], kBodyInertia);
+    mass += body.m;
+    first += X[i] * (body.mc * (1 / body.m)) * body.m;
+  }
+  Vector3 centre_of_pressure;
+  for (int s = 0; s < 2; ++s) {
+    const SolePlace& sole = soles[static_cast<std::size_t>(s)];
+    const CornerForces<> corners = world.get(robot, kSolePressure, subset::kSoles, s);
+    for (int k = 0; k < 4; ++k) {
+      const Vector3 corner{(k & 1) != 0 ? sole.half_length : -sole.half_length,
+                           (k & 2) != 0 ? sole.half_width : -sole.half_width, 0};
+      sum += corners.of[k];
+      centre_of_pressure += X[static_cast<std::size_t>(sole.mount.row)] * sole.mount.X_RM * corner * corners.of[k];
+    }
+  }
+  EXPECT_NEAR(sum, mass * kG, 1e-3 * mass * kG);
+  EXPECT_NEAR(centre_of_pressure.x / sum, first.x / mass, 2e-4);
+  EXPECT_NEAR(centre_of_pressure.y / sum, first.y / mass, 2e-4);
+}
+
+}  // namespace
+}  // namespace murosimf::motion
