@@ -96,7 +96,7 @@ TEST(Schedule, StepsAreMadeAtTheBeginningOfAPeriodAndSensorsReadAtItsEnd) {
     CounterWorld toy;
     toy.assignEvery(module, 0.005);
     const auto linked = toy.link();
-    EXPECT_EQ(linked->periodOf(toy.robot, "tally"), 5);
+    EXPECT_EQ(linked->handle(toy.robot, kTally).period(), 5);
     for (long frame = 0; frame < 12; ++frame) linked->runFrame(frame);
     const bool sensor = module == "late";
     EXPECT_EQ(linked->handle(toy.robot, kTally).get(), sensor ? 2 : 3) << module;

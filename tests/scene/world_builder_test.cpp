@@ -113,10 +113,11 @@ TEST(WorldBuilder, MotionsPeriodHoldsForWhatFollowsIt) {
   const auto simulation = built.simulation();
   LinkedWorld& linked = simulation->linked();
   const World& world = simulation->world();
-  for (const auto& property : {kJointPosition.name, kBasePose.name, kBodyPose.name, kGyroscope.name}) {
-    EXPECT_EQ(linked.periodOf(redOne(world), property), 4) << property;
-  }
-  EXPECT_EQ(linked.periodOf(world.find("robots.blue.1"), kBasePose.name), 10);
+  EXPECT_EQ(linked.handle(redOne(world), kJointPosition, subset::kJoints).period(), 4);
+  EXPECT_EQ(linked.handle(redOne(world), kBasePose).period(), 4);
+  EXPECT_EQ(linked.handle(redOne(world), kBodyPose, subset::kBodies).period(), 4);
+  EXPECT_EQ(linked.handle(redOne(world), kGyroscope).period(), 4);
+  EXPECT_EQ(linked.handle(world.find("robots.blue.1"), kBasePose).period(), 10);
 }
 
 TEST(WorldBuilder, CamerasCanBeShutAndSlowed) {

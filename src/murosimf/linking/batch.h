@@ -48,10 +48,11 @@ struct LinkedPass {
   bool scheduled = true;  ///< false: nobody reads what it would compute
 };
 
-/// Robots stepped together. Block b holds members b*width ... The lanes behind the last member carry a robot with its
-/// constants, which nobody commands or places: computed with the others, seen by nobody.
+/// Robots stepped together, in the first `seated` lanes of its blocks. The lanes behind them carry what was there last,
+/// or a robot that nobody commands or places: computed with the others, seen by nobody.
 struct Batch {
-  std::vector<ObjectId> members;
+  std::vector<ObjectId> members;  ///< all that may be stepped here; those that begin here first
+  int seated = 0;                 ///< how many are now
   int width = 1;
   std::vector<LinkedPass> passes;  ///< in the order in which they run
   std::vector<ColumnLayout> columns;
@@ -59,8 +60,12 @@ struct Batch {
   std::size_t sum_size = 0;  ///< of them at the beginning of step memory: sums, cleared before each evaluation
   std::vector<AlignedDoubles> state, own;  ///< one piece a block
   AlignedDoubles shared;                   ///< constants equal for all members
+  AlignedDoubles shared_one;               ///< the same for one robot alone
 
-  int blockCount() const { return static_cast<int>(state.size()); }
+  /// Blocks in which somebody is seated.
+  int blockCount() const { return (seated + width - 1) / width; }
+  /// Blocks for all members.
+  int capacity() const { return static_cast<int>(state.size()); }
   BlockMemory block(int index, double* step_memory) const {
     const auto i = static_cast<std::size_t>(index);
     return {{state[i].data(), step_memory, shared.data(), own[i].data()}};

@@ -16,16 +16,14 @@ class BodyPath {
   /// The robot must have body_pose; its bodies then stand still while nothing has computed them.
   BodyPath(LinkedWorld& linked, ObjectId robot)
       : pose_(linked.handle(robot, kBodyPose, subset::kBodies)),
-        last_(linked.handle(robot, kBodyPoseLast, subset::kBodies)),
-        period_(linked.periodOf(robot, kBodyPose.name)),
-        obeys_contacts_(linked.phaseOf(robot, kBodyPose.name) == Phase::kAdvance) {}
+        last_(linked.handle(robot, kBodyPoseLast, subset::kBodies)) {}
 
   bool valid() const { return pose_.valid(); }
   /// Share of the step that has passed at the beginning of a frame, in [0, 1).
-  double shareAt(long frame) const { return static_cast<double>(frame % period_) / static_cast<double>(period_); }
+  double shareAt(long frame) const { return static_cast<double>(frame % period()) / static_cast<double>(period()); }
   /// Same at its end, in (0, 1].
   double shareAfter(long frame) const {
-    return static_cast<double>(frame % period_ + 1) / static_cast<double>(period_);
+    return static_cast<double>(frame % period() + 1) / static_cast<double>(period());
   }
   /// Same for the pair phase, which comes before motions that obey contacts.
   double contactShareAt(long frame) const { return shareAt(frame) + (isAhead(frame) ? 1.0 : 0.0); }
@@ -42,11 +40,10 @@ class BodyPath {
   Pose end(int row) const { return pose_.get(row); }
 
  private:
-  bool isAhead(long frame) const { return obeys_contacts_ && frame % period_ == 0; }
+  int period() const { return pose_.period(); }
+  bool isAhead(long frame) const { return pose_.phase() == Phase::kAdvance && frame % period() == 0; }
 
   Handle<Pose> pose_, last_;
-  int period_ = 1;
-  bool obeys_contacts_ = false;
 };
 
 }  // namespace murosimf

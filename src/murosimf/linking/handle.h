@@ -2,19 +2,18 @@
 
 /// @file Handles: one robot's values of one column, found without names.
 ///
-/// Lanes are out of sight: values of one robot stand `stride` numbers apart in its block.
+/// Lanes are out of sight: values of one robot stand `stride` numbers apart in its block. A handle goes on to hold when
+/// its robot moves to another block, as it does when its level of detail is exchanged.
+
+#include "murosimf/linking/declaration.h"
 
 namespace murosimf {
 
-/// Valid as long as the linked world.
+/// Values of one column of one lane.
 template <class T>
-class Handle {
+class LaneValues {
  public:
-  Handle() = default;
-  Handle(double* first, int stride, int objects) : first_(first), stride_(stride), objects_(objects) {}
-
-  bool valid() const { return first_ != nullptr; }
-  int size() const { return objects_; }
+  LaneValues(double* first, int stride) : first_(first), stride_(stride) {}
   /// Value of the subset's object number `object`.
   T get(int object = 0) const {
     double numbers[sizeof(T) / sizeof(double)];
@@ -24,7 +23,7 @@ class Handle {
     __builtin_memcpy(&value, numbers, sizeof(T));
     return value;
   }
-  void set(const T& value, int object = 0) {
+  void set(const T& value, int object = 0) const {
     double numbers[sizeof(T) / sizeof(double)];
     __builtin_memcpy(numbers, &value, sizeof(T));
     double* target = first_ + object * kNumbers * stride_;
@@ -33,9 +32,36 @@ class Handle {
 
  private:
   static constexpr int kNumbers = static_cast<int>(sizeof(T) / sizeof(double));
-  double* first_ = nullptr;
-  int stride_ = 1;
-  int objects_ = 0;
+  double* first_;
+  int stride_;
+};
+
+/// Where a robot's values of one column stand now, and when they are written.
+struct ColumnCell {
+  double* first = nullptr;  ///< null: the robot's present level of detail has no such column
+  int stride = 1, objects = 0;
+  int period = 1;                   ///< in frames between two updates; 1 when no module writes it
+  Phase phase = Phase::kPrescribe;  ///< of the module that writes it
+};
+
+/// Valid as long as the linked world.
+template <class T>
+class Handle {
+ public:
+  Handle() = default;
+  explicit Handle(const ColumnCell* cell) : cell_(cell) {}
+
+  bool valid() const { return cell_->first != nullptr; }
+  int size() const { return cell_->objects; }
+  int period() const { return cell_->period; }
+  Phase phase() const { return cell_->phase; }
+  /// Value of the subset's object number `object`.
+  T get(int object = 0) const { return LaneValues<T>(cell_->first, cell_->stride).get(object); }
+  void set(const T& value, int object = 0) { LaneValues<T>(cell_->first, cell_->stride).set(value, object); }
+
+ private:
+  static constexpr ColumnCell kNowhere{};
+  const ColumnCell* cell_ = &kNowhere;
 };
 
 }  // namespace murosimf

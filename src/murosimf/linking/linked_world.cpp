@@ -1,10 +1,7 @@
 #include "murosimf/linking/linked_world.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
 
 namespace murosimf {
 
@@ -46,52 +43,10 @@ void LinkedWorld::runFrame(long frame) {
   for (const Phase phase : {Phase::kPrescribe, Phase::kAdvance, Phase::kSense}) run(phase, frame, step_memory_.data());
 }
 
-const LinkedPass* LinkedWorld::writerOf(ObjectId assembly, std::string_view property) const {
-  for (const Place& place : places_) {
-    if (place.assembly != assembly) continue;
-    for (const LinkedPass& pass : batches_[static_cast<std::size_t>(place.batch)].passes) {
-      Declaration declaration;
-      pass.module->declare(declaration);
-      for (const DeclaredProperty& p : declaration.properties()) {
-        if (p.access == Access::kAdds && p.name == property) return &pass;
-      }
-    }
-  }
-  return nullptr;
-}
-
-int LinkedWorld::periodOf(ObjectId assembly, std::string_view property) const {
-  const LinkedPass* writer = writerOf(assembly, property);
-  return writer == nullptr ? 1 : writer->period;
-}
-
-Phase LinkedWorld::phaseOf(ObjectId assembly, std::string_view property) const {
-  const LinkedPass* writer = writerOf(assembly, property);
-  return writer == nullptr ? Phase::kPrescribe : writer->phase;
-}
-
 double* LinkedWorld::element(const Place& place, const ColumnLayout& layout) const {
   const Batch& batch = batches_[static_cast<std::size_t>(place.batch)];
   const AlignedDoubles& state = batch.state[static_cast<std::size_t>(place.block)];
   return state.data() + layout.ref.offset * batch.width + place.lane;
-}
-
-double* LinkedWorld::locate(ObjectId assembly, std::string_view property, std::string_view of, int components,
-                            int& stride, int& objects) {
-  for (const Place& place : places_) {
-    if (place.assembly != assembly) continue;
-    const Batch& batch = batches_[static_cast<std::size_t>(place.batch)];
-    const ColumnLayout* layout = batch.column(property, of);
-    if (layout == nullptr || layout->ref.memory != MemoryKind::kState) return nullptr;
-    if (layout->components != components) {
-      throw std::logic_error(fmt::format("a handle for {} numbers asks for variable {}, which has {}", components,
-                                         property, layout->components));
-    }
-    stride = batch.width;
-    objects = layout->objects;
-    return element(place, *layout);
-  }
-  return nullptr;
 }
 
 }  // namespace murosimf

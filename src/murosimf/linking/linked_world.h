@@ -2,18 +2,20 @@
 
 /// @file The world after linking: blocks of columns, and the passes that step them.
 
+#include <algorithm>
 #include <deque>
 #include <string>
 #include <vector>
 
-#include "murosimf/linking/batch.h"
-#include "murosimf/linking/handle.h"
+#include "murosimf/linking/resident.h"
 
 namespace murosimf {
 
 /// One line of the schedule, for people.
 struct PassReport {
-  std::string assembly, module;
+  std::string assembly;
+  int level = 0;
+  std::string module;
   Phase phase = Phase::kAdvance;
   double dt = 0;  ///< [s]
   bool scheduled = true;
@@ -34,6 +36,8 @@ class LinkedWorld {
   const std::deque<Batch>& batches() const { return batches_; }
   const std::vector<Place>& places() const { return places_; }  ///< in the order of paths
   const std::vector<PassReport>& passes() const { return reports_; }
+  /// All assemblies with all their levels of detail, in the order of paths.
+  const std::vector<Resident>& residents() const { return residents_; }
   /// Numbers of step memory that a thread needs to run any block.
   std::size_t stepMemorySize() const;
 
@@ -41,14 +45,18 @@ class LinkedWorld {
   /// @throws std::logic_error when it holds values of another type.
   template <class T>
   Handle<T> handle(ObjectId assembly, const Variable<T>& property, std::string_view of = subset::kSelf) {
-    int stride = 1, objects = 0;
-    double* first = locate(assembly, property.name, of, Variable<T>::kComponents, stride, objects);
-    return {first, stride, objects};
+    return Handle<T>(watch(assembly, property.name, of, Variable<T>::kComponents));
   }
-  /// Frames between two updates of a variable of an assembly; 1 when no module writes it.
-  int periodOf(ObjectId assembly, std::string_view property) const;
-  /// The part of the frame in which it is written; kPrescribe when no module writes it.
-  Phase phaseOf(ObjectId assembly, std::string_view property) const;
+  /// How many levels of detail an assembly was linked with, and at which it is.
+  int levelCount(ObjectId assembly) const;
+  int levelOf(ObjectId assembly) const;
+  /// Frames between two steps of the slowest of the modules of a level: between them its state is not that of the
+  /// moment.
+  int longestPeriod(ObjectId assembly, int level) const;
+  /// Moves an assembly to another level of detail, between two frames, when it has made its last step on the old one:
+  /// variables that both have keep their values, the others begin anew, then the modules of the new level adopt the
+  /// state (BlockModule::adopt). Handles and places follow. Allocates nothing; nobody else's numbers change.
+  void exchange(ObjectId assembly, int level);
   /// Runs the passes of one phase that are due in this frame, on one block. Step memory lasts until the next call;
   /// debug builds fill it with NaN first.
   void runBlock(Phase phase, const Batch& batch, int block, long frame, double* step_memory) const;
@@ -64,6 +72,24 @@ class LinkedWorld {
     visitColumns(place, [&](const ColumnLayout& layout, int object, int component, double& value) {
       if (layout.storage == Storage::kState) visit(layout, object, component, value);
     });
+  }
+  /// Calls visit(layout, object number, component, value) for every number of a resident's state at all of its levels,
+  /// always as many and in the same order; 0 stands for those that its present level does not have.
+  template <class Visitor>
+  void visitAllLevels(const Resident& resident, Visitor&& visit) const {
+    const Place& place = places_[static_cast<std::size_t>(&resident - residents_.data())];
+    for (const auto& layouts : resident.columns) {
+      const ColumnLayout* now = layouts[static_cast<std::size_t>(resident.level)];
+      const ColumnLayout& any =
+          **std::find_if(layouts.begin(), layouts.end(), [](const auto* l) { return l != nullptr; });
+      const double* first = now == nullptr ? nullptr : element(place, *now);
+      const int width = batches_[static_cast<std::size_t>(place.batch)].width;
+      for (int i = 0; i < any.objects; ++i) {
+        for (int c = 0; c < any.components; ++c) {
+          visit(any, i, c, first == nullptr ? 0.0 : first[(i * any.components + c) * width]);
+        }
+      }
+    }
   }
   /// Calls visit(value) for every number that a continued run needs: state, and what is kept between frames.
   template <class Visitor>
@@ -86,14 +112,23 @@ class LinkedWorld {
       }
     }
   }
-  const LinkedPass* writerOf(ObjectId assembly, std::string_view property) const;
   double* element(const Place& place, const ColumnLayout& layout) const;
-  double* locate(ObjectId assembly, std::string_view property, std::string_view of, int components, int& stride,
-                 int& objects);
+  const ColumnCell* watch(ObjectId assembly, std::string_view property, std::string_view of, int components);
+  const Resident& residentOf(ObjectId assembly) const;
+  Batch& batchOf(const Resident& resident) { return batches_[static_cast<std::size_t>(resident.batch())]; }
+  void point(Resident& resident);
+  void leave(Resident& resident);
+  void enter(Resident& resident, int level);
+  void finishSeating();
+  std::vector<std::vector<const ColumnLayout*>> stateColumns(const Resident& resident) const;
 
   double frame_length_;
   std::deque<Batch> batches_;
-  std::vector<Place> places_;
+  std::vector<Resident> residents_;                       // in the order of paths
+  std::vector<std::vector<int>> seats_;                   // of each batch: resident in each lane
+  std::vector<Passage> passages_;                         // between any two batches of one assembly
+  AlignedDoubles state_one_, step_one_, own_one_, left_;  // of one robot, while it is exchanged
+  std::vector<Place> places_;                             // of the residents
   std::vector<PassReport> reports_;
   AlignedDoubles step_memory_;  // of runFrame()
 };

@@ -69,18 +69,38 @@ std::unique_ptr<LinkedWorld> Linker::link(Diagnostics& diagnostics) {
     if (placed[i]) continue;
     std::vector<Assembly*> members;
     for (std::size_t k = i; k < assemblies.size(); ++k) {
-      if (placed[k] || !sameStructure(assemblies[i], assemblies[k])) continue;
+      const bool other_level = std::any_of(members.begin(), members.end(),
+                                           [&](const Assembly* member) { return member->id == assemblies[k].id; });
+      if (placed[k] || other_level || !sameStructure(assemblies[i], assemblies[k])) continue;
       placed[k] = true;
       members.push_back(&assemblies[k]);
     }
+    std::stable_sort(members.begin(), members.end(),
+                     [](const Assembly* a, const Assembly* b) { return (a->level == 0) > (b->level == 0); });
     makeBatch(members, *linked, diagnostics);
   }
-  std::sort(linked->places_.begin(), linked->places_.end(),
-            [&](const Place& a, const Place& b) { return world_.path(a.assembly) < world_.path(b.assembly); });
-  std::stable_sort(linked->reports_.begin(), linked->reports_.end(),
-                   [](const PassReport& a, const PassReport& b) { return a.assembly < b.assembly; });
+  std::stable_sort(linked->reports_.begin(), linked->reports_.end(), [](const PassReport& a, const PassReport& b) {
+    return std::tie(a.assembly, a.level) < std::tie(b.assembly, b.level);
+  });
   if (diagnostics.errorCount() > before) return nullptr;
+  seat(assemblies, *linked);
   return linked;
+}
+
+/// Residents in the order of paths, each in the lane that is its own at the beginning.
+void Linker::seat(const std::vector<Assembly>& assemblies, LinkedWorld& linked) {
+  for (const Batch& batch : linked.batches_) linked.seats_.emplace_back(batch.members.size(), -1);
+  for (const Assembly& assembly : assemblies) {
+    if (assembly.level == 0) linked.residents_.emplace_back().assembly = assembly.id;
+    Resident& resident = linked.residents_.back();
+    resident.levels.push_back({assembly.batch, {}, {}});
+    if (assembly.level > 0) continue;
+    const std::vector<ObjectId>& members = linked.batches_[static_cast<std::size_t>(assembly.batch)].members;
+    resident.lane = static_cast<int>(std::find(members.begin(), members.end(), assembly.id) - members.begin());
+    linked.seats_[static_cast<std::size_t>(assembly.batch)][static_cast<std::size_t>(resident.lane)] =
+        static_cast<int>(linked.residents_.size()) - 1;
+  }
+  linked.finishSeating();
 }
 
 int Linker::chooseWidth(std::size_t robots) const {
@@ -96,12 +116,12 @@ void Linker::makeBatch(const std::vector<Assembly*>& members, LinkedWorld& linke
   batch.width = chooseWidth(members.size());
   const int number = static_cast<int>(linked.batches_.size()) - 1;
   for (std::size_t i = 0; i < members.size(); ++i) {
-    const int index = static_cast<int>(i);
     batch.members.push_back(members[i]->id);
-    linked.places_.push_back({members[i]->id, number, index / batch.width, index % batch.width});
+    members[i]->batch = number;
+    if (members[i]->level == 0) ++batch.seated;
     for (const Planned& p : members[i]->modules) {
       if (p.outside()) continue;
-      linked.reports_.push_back({world_.path(members[i]->id), p.name, p.declaration.phase(),
+      linked.reports_.push_back({world_.path(members[i]->id), members[i]->level, p.name, p.declaration.phase(),
                                  p.period * options_.frame_length, p.scheduled,
                                  p.scheduled ? "" : addedNames(p.declaration)});
     }
@@ -234,7 +254,7 @@ void Linker::linkPasses(Assembly& representative, Batch& batch, Diagnostics& dia
       continue;
     }
     if (auto* integrator = dynamic_cast<Integrator*>(planned.module.get())) integrator->use(evaluationOf(batch));
-    for (int b = 0; b < batch.blockCount(); ++b) planned.module->initialise(batch.block(b, nullptr));
+    for (int b = 0; b < batch.capacity(); ++b) planned.module->initialise(batch.block(b, nullptr));
     batch.passes.push_back({std::move(planned.module), planned.name, planned.declaration.phase(), planned.period,
                             planned.period * options_.frame_length, true});
   }

@@ -26,9 +26,12 @@ struct Assignment {
   std::string module;
   WrittenParameters parameters;
   SourceLocation where;
+  /// An assembly that may be exchanged has several levels of detail, each with modules of its own; it begins with 0.
+  int level = 0;
 };
 
-/// Something outside the blocks that takes or gives properties of assemblies: a port, a camera, the pair phase.
+/// Something outside the blocks that takes or gives properties of assemblies: a port, a camera, the pair phase; at all
+/// levels of detail.
 struct Attachment {
   std::string name;
   const Module* module = nullptr;
@@ -55,6 +58,7 @@ class Linker {
 
   std::vector<Assembly> plan(Diagnostics& diagnostics) const;
   std::optional<Planned> planModule(const Assignment& assignment, Diagnostics& diagnostics) const;
+  static void attach(const Attachment& attachment, Assembly& assembly);
   static void choosePhases(Assembly& assembly);
   void checkAssembly(const Assembly& assembly, Diagnostics& diagnostics) const;
   void checkIntegrator(const Assembly& assembly, Diagnostics& diagnostics) const;
@@ -70,6 +74,7 @@ class Linker {
   std::string modulesThatAdd(const DeclaredProperty& property) const;
   bool sameStructure(const Assembly& a, const Assembly& b) const;
   void makeBatch(const std::vector<Assembly*>& members, LinkedWorld& linked, Diagnostics& diagnostics) const;
+  static void seat(const std::vector<Assembly>& assemblies, LinkedWorld& linked);
   void layOut(const std::vector<Assembly*>& members, Batch& batch) const;
   void fillConstants(Batch& batch, const std::vector<const DeclaredProperty*>& constants) const;
   void linkPasses(Assembly& representative, Batch& batch, Diagnostics& diagnostics) const;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <tuple>
 
 namespace murosimf {
 
@@ -62,6 +63,17 @@ std::optional<Linker::Planned> Linker::planModule(const Assignment& assignment, 
   return planned;
 }
 
+void Linker::attach(const Attachment& attachment, Assembly& assembly) {
+  std::vector<Planned>& modules = assembly.modules;
+  const bool known =
+      std::any_of(modules.begin(), modules.end(), [&](const Planned& p) { return p.attached == attachment.module; });
+  if (known) return;
+  Planned& planned = modules.emplace_back();
+  planned.name = attachment.name;
+  planned.attached = attachment.module;
+  attachment.module->declare(planned.declaration);
+}
+
 /// Puts modules that follow a variable into its writer's phase.
 void Linker::choosePhases(Assembly& assembly) {
   for (Planned& follower : assembly.modules) {
@@ -77,34 +89,32 @@ void Linker::choosePhases(Assembly& assembly) {
 
 std::vector<Linker::Assembly> Linker::plan(Diagnostics& diagnostics) const {
   std::vector<Assembly> assemblies;
-  const auto assemblyOf = [&](ObjectId id) -> Assembly& {
+  const auto assemblyOf = [&](ObjectId id, int level) -> Assembly& {
     for (Assembly& a : assemblies) {
-      if (a.id == id) return a;
+      if (a.id == id && a.level == level) return a;
     }
-    assemblies.push_back({id, {}, false});
+    assemblies.push_back({id, level, -1, {}, false});
     return assemblies.back();
   };
   for (const Assignment& assignment : assignments_) {
     std::optional<Planned> planned = planModule(assignment, diagnostics);
-    Assembly& assembly = assemblyOf(assignment.assembly);
+    assemblyOf(assignment.assembly, 0);
+    Assembly& assembly = assemblyOf(assignment.assembly, assignment.level);
     if (planned) assembly.modules.push_back(std::move(*planned));
     if (!planned) assembly.incomplete = true;
   }
   for (const Attachment& attachment : attachments_) {
     for (const ObjectId id : attachment.assemblies) {
-      std::vector<Planned>& modules = assemblyOf(id).modules;
-      const bool known = std::any_of(modules.begin(), modules.end(),
-                                     [&](const Planned& p) { return p.attached == attachment.module; });
-      if (known) continue;
-      Planned& planned = modules.emplace_back();
-      planned.name = attachment.name;
-      planned.attached = attachment.module;
-      attachment.module->declare(planned.declaration);
+      assemblyOf(id, 0);
+      for (Assembly& assembly : assemblies) {
+        if (assembly.id == id) attach(attachment, assembly);
+      }
     }
   }
   for (Assembly& assembly : assemblies) choosePhases(assembly);
-  std::sort(assemblies.begin(), assemblies.end(),
-            [&](const Assembly& a, const Assembly& b) { return world_.path(a.id) < world_.path(b.id); });
+  std::sort(assemblies.begin(), assemblies.end(), [&](const Assembly& a, const Assembly& b) {
+    return std::tie(world_.path(a.id), a.level) < std::tie(world_.path(b.id), b.level);
+  });
   return assemblies;
 }
 

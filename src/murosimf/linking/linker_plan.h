@@ -24,6 +24,8 @@ struct Linker::Planned {
 
 struct Linker::Assembly {
   ObjectId id;
+  int level = 0;
+  int batch = -1;  ///< once it has one
   std::vector<Planned> modules;
   /// A module of it could not be made. Every module that reads it would miss it: one mistake, one error.
   bool incomplete = false;

@@ -36,6 +36,10 @@ class BlockModule : public Module {
   virtual void link(Links& links) = 0;
   /// Gives the variables it adds their first values where zero (or the identity pose) will not do.
   virtual void initialise(const BlockMemory& block) const { static_cast<void>(block); }
+  /// Called when a robot came from another level of detail: its variables that both levels have hold what they held,
+  /// all others their first values. Makes of them a state from which to go on. `one` is the memory of this robot alone,
+  /// of width 1.
+  virtual void adopt(const BlockMemory& one) const { static_cast<void>(one); }
   /// Makes one step of all robots of one block. Called from any thread, for different blocks at once: const.
   virtual void step(const BlockMemory& block, const StepTime& time) const = 0;
 };

@@ -33,9 +33,9 @@ class RobotLane {
 
  private:
   template <class T>
-  Handle<std::remove_const_t<T>> at(const RobotValues<T>& values) const {
+  LaneValues<std::remove_const_t<T>> at(const RobotValues<T>& values) const {
     double* piece = block_.piece[static_cast<int>(values.column.memory)];
-    return {piece + values.column.offset * width_ + lane_, width_, values.objects};
+    return {piece + values.column.offset * width_ + lane_, width_};
   }
 
   const BlockMemory& block_;

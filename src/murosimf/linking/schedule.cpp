@@ -178,9 +178,10 @@ std::string moduleTable(const ModuleRegistry& registry, const std::vector<Attach
 std::string passTable(const LinkedWorld& linked) {
   std::string out = fmt::format("{:<20} {:<10} {:<20} {:<9} {}\n", "assembly", "phase", "module", "period", "");
   for (const PassReport& pass : linked.passes()) {
-    out +=
-        fmt::format("{:<20} {:<10} {:<20} {:<9} {}\n", pass.assembly, wordFor(pass.phase), pass.module,
-                    fmt::format("{} s", pass.dt), pass.scheduled ? "" : "not scheduled: nobody reads " + pass.unread);
+    out += fmt::format("{:<20} {:<10} {:<20} {:<9} {}\n",
+                       pass.level == 0 ? pass.assembly : fmt::format("{} ({})", pass.assembly, pass.level),
+                       wordFor(pass.phase), pass.module, fmt::format("{} s", pass.dt),
+                       pass.scheduled ? "" : "not scheduled: nobody reads " + pass.unread);
   }
   return out;
 }

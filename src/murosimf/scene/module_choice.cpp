@@ -59,24 +59,18 @@ SourceLocation placeOf(const ModuleChoice& choice, const RobotSettings& robot) {
   return choice.parameters.empty() ? robot.where : choice.parameters.front().name_where;
 }
 
-/// The level that the robot has by name, or that of the motion module that was chosen for it: what a motion needs
-/// beside it comes with it.
-const Level& levelOf(const RobotSettings& robot) {
-  const ModuleChoice* motion = choiceFor(robot, "motion");
-  const Level* found = &kLevels[0];
-  for (const Level& level : kLevels) {
-    if (level.name == *robot.level) found = &level;
-  }
-  for (const Level& level : kLevels) {
-    if (motion != nullptr && level.motion == *motion->module) found = &level;
-  }
-  return *found;
+const Level& levelNamed(std::string_view name) {
+  const auto found =
+      std::find_if(std::begin(kLevels), std::end(kLevels), [&](const Level& l) { return l.name == name; });
+  return found == std::end(kLevels) ? kLevels[0] : *found;
 }
 
-/// The motion's period holds for all modules of the robot that do not say otherwise: they follow it.
-double motionPeriod(const RobotSettings& robot, const Level& level) {
-  const ModuleChoice* motion = choiceFor(robot, "motion");
-  return motion != nullptr && *motion->period > 0 ? *motion->period : level.period;
+/// The level that a motion belongs to: what a motion needs beside it comes with it. A motion of none goes with what the
+/// robot's own level has.
+const Level& levelOfMotion(const RobotSettings& robot, std::string_view motion) {
+  const auto found =
+      std::find_if(std::begin(kLevels), std::end(kLevels), [&](const Level& l) { return l.motion == motion; });
+  return found == std::end(kLevels) ? levelNamed(*robot.level) : *found;
 }
 
 Assignment assignmentOf(std::string module, const ModuleChoice* choice, double period, const SourceLocation& where) {
@@ -115,43 +109,113 @@ WrittenValue writtenValue(const SceneValue& value) {
   return {{}, fmt::format("{}", fmt::join(std::get<std::vector<std::string>>(value), " "))};
 }
 
-std::vector<Assignment> modulesOf(const RobotSettings& robot, const ModuleRegistry& registry,
-                                  Diagnostics& diagnostics) {
-  std::vector<Assignment> assignments;
-  const Level& level = levelOf(robot);
-  const std::vector<std::string> slots = slotNames(level);
-  const double period = motionPeriod(robot, level);
-  for (const Slot& slot : level.slots) {
-    const ModuleChoice* choice = choiceFor(robot, slot.name);
-    const std::string module =
-        choice == nullptr || choice->module->empty() ? std::string(slot.module) : *choice->module;
-    if (module == "none") continue;
-    const ModuleEntry* entry = registry.find(module);
+namespace {
+
+/// Chooses the modules of one of a robot's levels of detail.
+class LevelChoice {
+ public:
+  LevelChoice(const RobotSettings& robot, const ModuleRegistry& registry, int number, std::string motion,
+              Diagnostics& diagnostics)
+      : robot_(robot),
+        registry_(registry),
+        number_(number),
+        motion_(std::move(motion)),
+        level_(levelOfMotion(robot, motion_)),
+        diagnostics_(diagnostics) {}
+
+  std::vector<Assignment> assignments() {
+    for (const Slot& slot : level_.slots) fill(slot);
+    for (const ModuleChoice& choice : robot_.modules) {
+      if (!choice.slot.starts_with(kExtraModule)) continue;
+      const std::string name = choice.module->empty() ? choice.slot.substr(kExtraModule.size()) : *choice.module;
+      assign(name, &choice);
+    }
+    return std::move(assignments_);
+  }
+
+ private:
+  /// What the scenario says of a slot; of the motion it speaks of the one that the robot starts with.
+  const ModuleChoice* choiceOf(std::string_view slot) const {
+    return slot == "motion" && number_ > 0 ? nullptr : choiceFor(robot_, slot);
+  }
+  std::string moduleFor(const Slot& slot) const {
+    if (slot.name == "motion") return motion_;
+    const ModuleChoice* choice = choiceOf(slot.name);
+    return choice == nullptr || choice->module->empty() ? std::string(slot.module) : *choice->module;
+  }
+  /// The motion's period holds for all modules of the level that do not say otherwise: they follow it.
+  double period() const {
+    const ModuleChoice* motion = choiceOf("motion");
+    return motion != nullptr && *motion->period > 0 ? *motion->period : level_.period;
+  }
+  void assign(std::string module, const ModuleChoice* choice) {
+    assignments_.push_back(assignmentOf(std::move(module), choice, period(), robot_.where));
+    assignments_.back().level = number_;
+  }
+  void fill(const Slot& slot) {
+    const ModuleChoice* choice = choiceFor(robot_, slot.name);
+    const std::string module = moduleFor(slot);
+    if (module == "none") return;
+    const ModuleEntry* entry = registry_.find(module);
     if (entry == nullptr && choice != nullptr) {
-      const std::vector<std::string> known = modulesFor(slot.name, registry);
-      diagnostics.error(choice->module.where,
-                        fmt::format("{}: unknown module \"{}\" for {}; expected none or one of {}{}", robot.path(),
-                                    module, slot.name, fmt::join(known, ", "), didYouMean(module, known)));
-      continue;
+      const std::vector<std::string> known = modulesFor(slot.name, registry_);
+      diagnostics_.error(choice->module.where,
+                         fmt::format("{}: unknown module \"{}\" for {}; expected none or one of {}{}", robot_.path(),
+                                     module, slot.name, fmt::join(known, ", "), didYouMean(module, known)));
+    } else if (entry != nullptr && entry->concern != slot.name) {
+      diagnostics_.error(
+          choice == nullptr ? robot_.where : choice->module.where,
+          fmt::format("{}: module {} is for {}, not for {}", robot_.path(), module, entry->concern, slot.name));
+    } else {
+      assign(module, choiceOf(slot.name));
     }
-    if (entry != nullptr && entry->concern != slot.name) {
-      diagnostics.error(choice->module.where, fmt::format("{}: module {} is for {}, not for {}", robot.path(), module,
-                                                          entry->concern, slot.name));
-      continue;
+  }
+
+  const RobotSettings& robot_;
+  const ModuleRegistry& registry_;
+  int number_;
+  std::string motion_;
+  const Level& level_;
+  Diagnostics& diagnostics_;
+  std::vector<Assignment> assignments_;
+};
+
+/// Slots that the scenario speaks of and that none of the robot's levels has.
+void refuseUnknownSlots(const RobotSettings& robot, const MotionPlan& plan, Diagnostics& diagnostics) {
+  std::vector<std::string> slots;
+  for (const std::string& motion : plan.motions) {
+    for (const std::string& name : slotNames(levelOfMotion(robot, motion))) {
+      if (std::find(slots.begin(), slots.end(), name) == slots.end()) slots.push_back(name);
     }
-    assignments.push_back(assignmentOf(module, choice, period, robot.where));
   }
   for (const ModuleChoice& choice : robot.modules) {
     refusePhase(robot, choice, diagnostics);
-    if (choice.slot.starts_with(kExtraModule)) {
-      const std::string name = choice.module->empty() ? choice.slot.substr(kExtraModule.size()) : *choice.module;
-      assignments.push_back(assignmentOf(name, &choice, period, robot.where));
-    } else if (std::find(slots.begin(), slots.end(), choice.slot) == slots.end()) {
-      diagnostics.error(placeOf(choice, robot), fmt::format("{}: level \"{}\" has no {}; it has {}", robot.path(),
-                                                            level.name, choice.slot, fmt::join(slots, ", ")));
-    }
+    const bool known =
+        choice.slot.starts_with(kExtraModule) || std::find(slots.begin(), slots.end(), choice.slot) != slots.end();
+    if (known) continue;
+    diagnostics.error(placeOf(choice, robot), fmt::format("{}: level \"{}\" has no {}; it has {}", robot.path(),
+                                                          levelOfMotion(robot, plan.motions.front()).name, choice.slot,
+                                                          fmt::join(slots, ", ")));
   }
-  return assignments;
+}
+
+}  // namespace
+
+MotionPlan motionPlanOf(const RobotSettings& robot, Diagnostics& diagnostics) {
+  const std::string usual(levelNamed(*robot.level).motion);
+  const ModuleChoice* choice = choiceFor(robot, "motion");
+  return readMotionPlan(choice == nullptr ? Located<std::string>{} : choice->module, usual, robot.path(), diagnostics);
+}
+
+std::vector<Assignment> modulesOf(const RobotSettings& robot, const MotionPlan& plan, const ModuleRegistry& registry,
+                                  Diagnostics& diagnostics) {
+  std::vector<Assignment> all;
+  for (std::size_t i = 0; i < plan.motions.size(); ++i) {
+    LevelChoice level(robot, registry, static_cast<int>(i), plan.motions[i], diagnostics);
+    for (Assignment& assignment : level.assignments()) all.push_back(std::move(assignment));
+  }
+  refuseUnknownSlots(robot, plan, diagnostics);
+  return all;
 }
 
 namespace {

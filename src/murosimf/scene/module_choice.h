@@ -7,13 +7,18 @@
 #include "murosimf/linking/linker.h"
 #include "murosimf/modules/camera/robot_camera.h"
 #include "murosimf/robot/robot_model.h"
+#include "murosimf/scene/motion_plan.h"
 #include "murosimf/scene/scene.h"
 
 namespace murosimf {
 
-/// The robot's modules with their parameters; the assembly is the caller's to fill in. Reports slots that the level of
-/// detail does not have, modules in the place of others, and phases, which modules have none of.
-std::vector<Assignment> modulesOf(const RobotSettings& robot, const ModuleRegistry& registry, Diagnostics& diagnostics);
+/// Which motion the robot has from when on.
+MotionPlan motionPlanOf(const RobotSettings& robot, Diagnostics& diagnostics);
+/// The robot's modules at all levels of detail of its plan, with their parameters; the assembly is the caller's to fill
+/// in. Reports slots that none of its levels has, modules in the place of others, and phases, which modules have none
+/// of.
+std::vector<Assignment> modulesOf(const RobotSettings& robot, const MotionPlan& plan, const ModuleRegistry& registry,
+                                  Diagnostics& diagnostics);
 
 /// How a camera of the robot takes pictures.
 struct CameraChoice {

@@ -48,7 +48,7 @@ std::vector<std::string> splitPath(std::string_view path) {
 bool isBareWord(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-           std::string_view("_-+./ :").find(c) != std::string_view::npos;
+           std::string_view("_-+./ :@,").find(c) != std::string_view::npos;
   });
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <stdexcept>
 
@@ -164,8 +165,9 @@ std::unique_ptr<Simulation> WorldBuilder::link(const ModuleRegistry& registry, c
 
 bool WorldBuilder::assignModules(Linker& linker, const ModuleRegistry& registry) {
   const int before = diagnostics_.errorCount();
-  for (const Outfit& outfit : outfits_) {
-    for (Assignment& assignment : modulesOf(*outfit.robot, registry, diagnostics_)) {
+  for (Outfit& outfit : outfits_) {
+    outfit.plan = motionPlanOf(*outfit.robot, diagnostics_);
+    for (Assignment& assignment : modulesOf(*outfit.robot, outfit.plan, registry, diagnostics_)) {
       assignment.assembly = outfit.id;
       linker.assign(std::move(assignment));
     }
@@ -174,7 +176,13 @@ bool WorldBuilder::assignModules(Linker& linker, const ModuleRegistry& registry)
 }
 
 void WorldBuilder::placeAll(Simulation& simulation) const {
-  for (const Outfit& outfit : outfits_) simulation.interventions().placeRobot(0, outfit.id, *outfit.robot->pose);
+  for (const Outfit& outfit : outfits_) {
+    simulation.interventions().placeRobot(0, outfit.id, *outfit.robot->pose);
+    for (const MotionPlan::Change& change : outfit.plan.changes) {
+      const long frame = std::lround(change.time / simulation.frameLength());
+      simulation.interventions().exchangeLevel(frame, outfit.id, change.level);
+    }
+  }
   for (const ObjectId ball : participants_.free_bodies) {
     const Vector3 lowest = *scene_.ball.position;
     simulation.interventions().placeBody(0, ball, {lowest.x, lowest.y, lowest.z + *scene_.ball.radius});

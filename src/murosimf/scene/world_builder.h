@@ -44,6 +44,7 @@ class WorldBuilder {
     const RobotSettings* robot = nullptr;
     const RobotModel* model = nullptr;
     ObjectId id;
+    MotionPlan plan;
     std::vector<CameraChoice> cameras;                  // as in the model
     std::vector<std::shared_ptr<const RayTable>> rays;  // same; null: that camera is off
     std::function<std::unique_ptr<client::ControlSoftware>()> program;

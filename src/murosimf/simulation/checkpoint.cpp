@@ -113,12 +113,13 @@ void writeFile(const std::filesystem::path& file, const ByteWriter& head, const 
 std::vector<std::string> structureOf(const Simulation& simulation) {
   std::vector<std::string> lines;
   const World& world = simulation.world();
-  for (const Place& place : simulation.linked().places()) {
-    const Batch& batch = simulation.linked().batches()[static_cast<std::size_t>(place.batch)];
-    for (const ColumnLayout& layout : batch.columns) {
-      if (layout.ref.memory != MemoryKind::kState) continue;
-      lines.push_back(fmt::format("{} {} {} {} x {}", world.path(place.assembly), layout.subset, layout.property,
-                                  layout.objects, layout.components));
+  for (const Resident& resident : simulation.linked().residents()) {
+    for (const LevelSeat& seat : resident.levels) {
+      for (const ColumnLayout& layout : simulation.linked().batches()[static_cast<std::size_t>(seat.batch)].columns) {
+        if (layout.ref.memory != MemoryKind::kState) continue;
+        lines.push_back(fmt::format("{} {} {} {} x {}", world.path(resident.assembly), layout.subset, layout.property,
+                                    layout.objects, layout.components));
+      }
     }
   }
   const ControlLoop* control = simulation.control();

@@ -18,7 +18,10 @@ constexpr std::size_t kUsualLog = 1024;     // of a game; a longer one makes roo
 InterventionQueue::InterventionQueue(const World& world, LinkedWorld& linked, PairPhase& pairs,
                                      const std::vector<ObjectId>& robots, const std::vector<ObjectId>& free_bodies)
     : world_(world), pairs_(pairs), free_bodies_(free_bodies) {
-  for (const ObjectId id : robots) robots_.emplace_back(world, linked, id);
+  for (const ObjectId id : robots) {
+    robots_.emplace_back(world, linked, id);
+    exchangers_.emplace_back(linked, id);
+  }
   waiting_.reserve(kUsualRequests);
   log_.reserve(kUsualLog);
 }
@@ -42,9 +45,13 @@ void InterventionQueue::check(const Intervention& i) const {
   }
   const bool known = i.kind == Intervention::Kind::kPlaceBody
                          ? std::find(free_bodies_.begin(), free_bodies_.end(), i.object) != free_bodies_.end()
-                         : std::any_of(robots_.begin(), robots_.end(),
-                                       [&](const RobotPlacer& placer) { return placer.robot() == i.object; });
-  if (!known) throw std::invalid_argument("an intervention places an object that is no robot or free body");
+                         : indexOf(i.object) < robots_.size();
+  if (!known) throw std::invalid_argument("an intervention on an object that is no robot or free body");
+  const int levels = i.kind == Intervention::Kind::kExchangeLevel ? exchangers_[indexOf(i.object)].levelCount() : 1;
+  if (i.level < 0 || i.level >= levels) {
+    throw std::invalid_argument(fmt::format("{} was linked with {} levels of detail, and one of number {} is asked for",
+                                            world_.path(i.object), levels, i.level));
+  }
 }
 
 void InterventionQueue::placeRobot(long frame, ObjectId robot, const PlanarPose& pose) {
@@ -55,23 +62,44 @@ void InterventionQueue::placeBody(long frame, ObjectId body, const Vector3& posi
   request(frame, {Intervention::Kind::kPlaceBody, body, {position.x, position.y, 0}, position.z, velocity});
 }
 
+void InterventionQueue::exchangeLevel(long frame, ObjectId robot, int level) {
+  Intervention exchange;
+  exchange.kind = Intervention::Kind::kExchangeLevel;
+  exchange.object = robot;
+  exchange.level = level;
+  request(frame, exchange);
+}
+
 void InterventionQueue::apply(long frame) {
-  std::size_t done = 0;
-  for (; done < waiting_.size() && waiting_[done].frame <= frame; ++done) {
-    act(waiting_[done].intervention);
-    log_.push_back({frame, waiting_[done].intervention});
+  for (auto next = waiting_.begin(); next != waiting_.end() && next->frame <= frame;) {
+    if (!ready(next->intervention, frame)) {
+      ++next;
+      continue;
+    }
+    act(next->intervention);
+    log_.push_back({frame, next->intervention});
+    next = waiting_.erase(next);
   }
-  waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(done));
+}
+
+std::size_t InterventionQueue::indexOf(ObjectId robot) const {
+  const auto found =
+      std::find_if(robots_.begin(), robots_.end(), [&](const RobotPlacer& placer) { return placer.robot() == robot; });
+  return static_cast<std::size_t>(found - robots_.begin());
+}
+
+bool InterventionQueue::ready(const Intervention& i, long frame) const {
+  return i.kind != Intervention::Kind::kExchangeLevel || exchangers_[indexOf(i.object)].ready(frame);
 }
 
 void InterventionQueue::act(const Intervention& i) {
-  if (i.kind == Intervention::Kind::kPlaceBody) {
-    const Pose X_WB{rotationZ(i.pose.heading), {i.pose.x, i.pose.y, i.height}};
-    pairs_.placeBody(i.object, X_WB, i.velocity);
-    return;
-  }
-  for (RobotPlacer& placer : robots_) {
-    if (placer.robot() == i.object) placer.place(i.pose);
+  switch (i.kind) {
+    case Intervention::Kind::kPlaceBody:
+      return pairs_.placeBody(i.object, {rotationZ(i.pose.heading), {i.pose.x, i.pose.y, i.height}}, i.velocity);
+    case Intervention::Kind::kPlaceRobot:
+      return robots_[indexOf(i.object)].place(i.pose);
+    case Intervention::Kind::kExchangeLevel:
+      return exchangers_[indexOf(i.object)].exchange(i.level);
   }
 }
 

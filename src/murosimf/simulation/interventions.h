@@ -11,18 +11,20 @@
 
 #include "murosimf/math/state_archive.h"
 #include "murosimf/modules/contact/pair_phase.h"
+#include "murosimf/modules/motion/level_exchanger.h"
 #include "murosimf/modules/motion/robot_placer.h"
 
 namespace murosimf {
 
 /// One change.
 struct Intervention {
-  enum class Kind { kPlaceRobot, kPlaceBody };
+  enum class Kind { kPlaceRobot, kPlaceBody, kExchangeLevel };
   Kind kind = Kind::kPlaceRobot;
   ObjectId object;
   PlanarPose pose;    ///< kPlaceRobot: base on the ground; kPlaceBody: x, y of the centre
   double height = 0;  ///< kPlaceBody: of the centre [m]
   Vector3 velocity;   ///< kPlaceBody [m/s]
+  int level = 0;      ///< kExchangeLevel: number of the level of detail
 };
 
 class InterventionQueue {
@@ -36,6 +38,9 @@ class InterventionQueue {
   void request(long frame, const Intervention& intervention);
   void placeRobot(long frame, ObjectId robot, const PlanarPose& pose);
   void placeBody(long frame, ObjectId body, const Vector3& position, const Vector3& velocity = {});
+  /// Gives the robot another of the levels of detail with which it was linked, as soon as the steps of all of them end
+  /// together (LevelExchanger).
+  void exchangeLevel(long frame, ObjectId robot, int level);
   /// Applies what is due.
   void apply(long frame);
 
@@ -49,11 +54,15 @@ class InterventionQueue {
 
  private:
   void check(const Intervention& intervention) const;
+  /// False while it must wait for a robot's step to end.
+  bool ready(const Intervention& intervention, long frame) const;
   void act(const Intervention& intervention);
+  std::size_t indexOf(ObjectId robot) const;
 
   const World& world_;
   PairPhase& pairs_;
   std::vector<RobotPlacer> robots_;
+  std::vector<LevelExchanger> exchangers_;  // as robots_
   std::vector<ObjectId> free_bodies_;
   std::vector<Logged> waiting_, log_;  // waiting_ in the order in which they act
 };

@@ -67,8 +67,8 @@ void Recorder::afterFrame(Simulation& simulation) {
   const long frame = simulation.frame() - 1;
   std::size_t i = 0;
   const LinkedWorld& linked = simulation.linked();
-  for (const Place& place : linked.places()) {
-    linked.visitState(place, [&](const ColumnLayout&, int, int, double value) {
+  for (const Resident& resident : linked.residents()) {
+    linked.visitAllLevels(resident, [&](const ColumnLayout&, int, int, double value) {
       now_[i++] = __builtin_bit_cast(std::uint64_t, value);
     });
   }
@@ -85,8 +85,8 @@ void Recorder::writeInterventions(const Simulation& simulation, long frame) {
     bytes_.u64(static_cast<std::uint64_t>(frame));
     bytes_.u8(static_cast<std::uint8_t>(act.kind));
     bytes_.text(simulation.world().path(act.object));
-    for (const double x :
-         {act.pose.x, act.pose.y, act.pose.heading, act.height, act.velocity.x, act.velocity.y, act.velocity.z, 0.0}) {
+    for (const double x : {act.pose.x, act.pose.y, act.pose.heading, act.height, act.velocity.x, act.velocity.y,
+                           act.velocity.z, static_cast<double>(act.level)}) {
       bytes_.f64(x);
     }
   }

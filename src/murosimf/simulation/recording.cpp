@@ -32,11 +32,11 @@ std::uint32_t groupFor(const World& world, ObjectId assembly, const ColumnLayout
 RecordingHeader describeState(const World& world, const LinkedWorld& linked) {
   RecordingHeader header;
   header.frame_length = linked.frameLength();
-  for (const Place& place : linked.places()) {
-    linked.visitState(place, [&](const ColumnLayout& layout, int object, int component, double) {
+  for (const Resident& resident : linked.residents()) {
+    linked.visitAllLevels(resident, [&](const ColumnLayout& layout, int object, int component, double) {
       if (object != 0 || component != 0) return;
       RecordedColumn column;
-      column.group = groupFor(world, place.assembly, layout, header);
+      column.group = groupFor(world, resident.assembly, layout, header);
       column.property = layout.property;
       column.unit = layout.unit;
       column.components = static_cast<std::uint32_t>(layout.components);

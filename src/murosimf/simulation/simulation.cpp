@@ -8,6 +8,7 @@ namespace murosimf {
 
 std::vector<Attachment> frameAttachments(const Participants& participants) {
   return {{"interventions", &RobotPlacer::robotAccess(), participants.robots},
+          {"interventions", &LevelExchanger::robotAccess(), participants.robots},
           {"robot_port", &RobotPort::robotAccess(), participants.robots},
           {"pair_phase", &PairPhase::robotAccess(), participants.robots},
           {"pair_phase", &PairPhase::freeBodyAccess(), participants.free_bodies},
@@ -87,6 +88,11 @@ std::uint64_t Simulation::stateHash() const { return hashState(*linked_); }
 void Simulation::archive(StateArchive& archive) {
   if (control_ != nullptr) control_->finish();
   archive(frame_, started_);
+  for (const Resident& resident : linked_->residents()) {
+    int level = resident.level;
+    archive(level);
+    if (archive.loading()) linked_->exchange(resident.assembly, level);
+  }
   for (const Place& place : linked_->places()) {
     linked_->visitMemory(place, [&](double& value) { archive(value); });
   }

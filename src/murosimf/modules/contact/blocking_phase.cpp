@@ -19,12 +19,11 @@ BlockingPhase::BlockingPhase(const World& world, LinkedWorld& linked, std::vecto
                              std::vector<ObjectId> fixed)
     : frame_length_(linked.frameLength()) {
   for (const ObjectId id : robots) {
-    robots_.push_back({linked.handle(id, kBasePose), linked.handle(id, kBasePoseLast), linked.handle(id, kPlanarShift),
-                       linked.periodOf(id, kBasePose.name)});
+    robots_.push_back(
+        {linked.handle(id, kBasePose), linked.handle(id, kBasePoseLast), linked.handle(id, kPlanarShift)});
     BlockingDisc& disc = discs_.emplace_back();
     disc.name = hashName(world.path(id));
     disc.radius = *world.find(id, kBlockingRadius);
-    disc.fixed = !robots_.back().last.valid();
   }
   for (const ObjectId id : fixed) {
     const Pose X_WB = *world.find(id, kFixedPose);
@@ -44,23 +43,25 @@ void BlockingPhase::advance(long frame) {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const Robot& robot = robots_[i];
     const Vector3 now = robot.pose.get().translation;
+    discs_[i].fixed = !robot.last.valid();
     if (discs_[i].fixed) {
       discs_[i].x = now.x, discs_[i].y = now.y;
+      discs_[i].dx = discs_[i].dy = 0;
       continue;
     }
-    const bool updated = frame % robot.period == 0;
+    const bool updated = frame % robot.pose.period() == 0;
     // What the last shift contributed is no part of the robot's own way.
     const Vector3 way = updated ? now - robot.last.get().translation - robot.shift.get() : Vector3{};
     discs_[i].x = now.x, discs_[i].y = now.y;
     discs_[i].dx = way.x, discs_[i].dy = way.y;
-    if (updated && robot.period > longest) longest = robot.period;
+    if (updated && robot.pose.period() > longest) longest = robot.pose.period();
   }
   if (longest == 0) return;
   wanted_.assign(discs_.begin(), discs_.begin() + static_cast<std::ptrdiff_t>(robots_.size()));
   rule_.apply(discs_, longest * frame_length_);
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     Robot& robot = robots_[i];
-    if (!discs_[i].fixed && frame % robot.period == 0)
+    if (!discs_[i].fixed && frame % robot.pose.period() == 0)
       robot.shift.set({discs_[i].dx - wanted_[i].dx, discs_[i].dy - wanted_[i].dy, 0});
   }
 }

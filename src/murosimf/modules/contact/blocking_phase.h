@@ -28,7 +28,6 @@ class BlockingPhase {
   struct Robot {
     Handle<Pose> pose, last;
     Handle<Vector3> shift;
-    int period;
   };
   std::vector<Robot> robots_;
   std::vector<BlockingDisc> discs_;   // the robots in their order, then the posts

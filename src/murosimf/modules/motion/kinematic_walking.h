@@ -15,6 +15,8 @@
 /// Residual   What dropping height, roll and pitch takes away at an exchange is shown on and faded out over
 ///            `blend_time`; with soles parallel at touch-down it is zero to rounding.
 /// Placement  A new placement_count puts the base at `placement` (x, y, heading); the lower foot stands.
+/// Adoption   A robot that comes from another level of detail goes on with its lower foot where that is, flat; what
+///            flattening takes away is a residual too.
 /// Blocking   planar_shift of the step before moves the anchor: robots that got too near are kept apart.
 /// Reports    support_slip: speed of the other sole while both touch. flight: 1 where the base falls faster than g, so
 ///            that a real robot would leave the ground; here the stance sole stays pinned.
@@ -34,6 +36,7 @@ class KinematicWalking final : public BlockModule {
   void declare(Declaration& declaration) const override;
   void link(Links& links) override;
   void initialise(const BlockMemory& block) const override;
+  void adopt(const BlockMemory& one) const override { adoptStance(arguments_, one); }
   void step(const BlockMemory& block, const StepTime& time) const override { kernel_(arguments_, block, time); }
 
  private:

@@ -30,6 +30,8 @@ struct KinematicWalkingArguments {
 
 void addBaselineKernels(KernelSet<KinematicWalkingArguments>& kernels);
 void addWideKernels(KernelSet<KinematicWalkingArguments>& kernels);
+/// Lets the stance foot of one robot begin under a base that somebody else has moved so far.
+void adoptStance(const KinematicWalkingArguments& arguments, const BlockMemory& one);
 
 inline namespace MUROSIMF_ISA {
 
@@ -175,6 +177,38 @@ inline void placeRobot(const KinematicWalkingArguments& a, const BlockMemory& bl
   stance = select(mask, side, stance);
   m.armed = select(mask, S(0), m.armed);
   m.residual_left = select(mask, S(0), m.residual_left);
+}
+
+/// Height of a sole's lowest corner over the ground.
+template <class S>
+inline S lowestCorner(const Transform<S>& X_WS, const SoleChain& sole) {
+  return X_WS.translation.z - S(sole.half_length) * abs(X_WS.rotation.x.z) -
+         S(sole.half_width) * abs(X_WS.rotation.y.z);
+}
+
+/// The stance foot is the lower one, where it is; what flattening it takes away is shown on and fades out.
+template <class S>
+inline void adoptStanceFoot(const KinematicWalkingArguments& a, const BlockMemory& block) {
+  const S* q = columnAt<S, S>(block, a.q);
+  StanceMemory<S>& m = *columnAt<StanceMemory<S>, S>(block, a.memory);
+  const Transform<S> X_WB = *columnAt<Transform<S>, S>(block, a.base_pose);
+  const SolePair<S> pair = soles(a, q);
+  const S right = lowestCorner(X_WB * pair.right, a.sole[0]), left = lowestCorner(X_WB * pair.left, a.sole[1]);
+  const S stance = *columnAt<S, S>(block, a.stance) = select(right < left - S(a.hysteresis), S(0), S(1));
+  const Roles<S> roles = rolesOf(a, pair, stance);
+  setAnchor(m, true, X_WB * roles.X_BStance);
+  const Transform<S> X_WB_after = anchorPose(m) * inverse(roles.X_BStance);
+  m.residual_turn = rotationLog(X_WB.rotation * transposed(X_WB_after.rotation));
+  m.residual_shift = X_WB.translation - X_WB_after.translation;
+  m.residual_left = S(1);
+  m.armed = select(roles.clearance > S(a.hysteresis), S(1), S(0));
+  m.floor = select(roles.clearance > S(a.hysteresis), S(0), min(roles.clearance, S(0)));
+  m.height_rate = S(0);
+  m.swing_place = roles.X_StanceSwing.translation;
+  m.swing_clearance = roles.clearance;
+  m.placements = *columnAt<S, S>(block, a.placement_count);
+  *columnAt<Transform<S>, S>(block, a.base_pose_last) = X_WB;
+  for (int j = 0; j < a.joints; ++j) columnAt<S, S>(block, a.q_last)[j] = q[j];
 }
 
 /// Slip and flight, for reports: computed from this step's end and the step before.

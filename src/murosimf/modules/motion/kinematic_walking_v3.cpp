@@ -7,4 +7,8 @@ void addBaselineKernels(KernelSet<KinematicWalkingArguments>& kernels) {
   kernels.four = &kinematicWalking<Pack<double, 4>>;
 }
 
+void adoptStance(const KinematicWalkingArguments& arguments, const BlockMemory& one) {
+  adoptStanceFoot<double>(arguments, one);
+}
+
 }  // namespace murosimf
