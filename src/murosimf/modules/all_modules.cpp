@@ -6,6 +6,7 @@
 #include "murosimf/modules/contact/ground_contact.h"
 #include "murosimf/modules/dynamics/multibody_dynamics.h"
 #include "murosimf/modules/dynamics/tree_motion.h"
+#include "murosimf/modules/integration/dormand_prince.h"
 #include "murosimf/modules/integration/euler.h"
 #include "murosimf/modules/integration/runge_kutta.h"
 #include "murosimf/modules/kinematics/body_poses.h"
@@ -36,6 +37,8 @@ ModuleRegistry allModules() {
   all.add<ExplicitEuler>("explicit_euler", "integration", "moves with the velocity at the step's beginning; order 1");
   all.add<Midpoint>("midpoint", "integration", "two evaluations a step; order 2");
   all.add<RungeKutta4>("runge_kutta_4", "integration", "four evaluations a step; order 4");
+  all.add<DormandPrince>("dormand_prince", "integration", "steps as the wanted accuracy allows; order 5",
+                         DormandPrince::parameters());
   all.add<InertialSensor>("inertial_sensor", "sensing", "gyroscope and accelerometer from how the body moved");
   all.add<DynamicInertialSensor>("dynamic_inertial_sensor", "sensing", "gyroscope and accelerometer from the dynamics");
   all.add<FootPressure>("foot_pressure", "pressure", "forces under the four corners of each sole");

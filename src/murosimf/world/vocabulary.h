@@ -131,6 +131,16 @@ inline constexpr Variable<SpatialForce<double>> kBodyForce{"body_force", "SI", "
 inline constexpr Variable<double> kJointAcceleration{"joint_acceleration", "rad/s^2", "of q", Storage::kStep};
 inline constexpr Variable<SpatialMotion<double>> kBodyAcceleration{
     "body_acceleration", "SI", "proper: what an accelerometer feels", Storage::kStep};
+inline constexpr Variable<double> kEventFunction{
+    "event_function", "SI", "changes its sign where forces jump: a gap, a distance from a limit", Storage::kStep};
+
+// Variables that tell how well a motion has been integrated.
+inline constexpr Variable<double> kIntegrationError{
+    "integration_error", "SI", "estimated in the last frame: m, rad, their rates; relative beyond 1", Storage::kKept};
+inline constexpr Variable<double> kSubsteps{"substeps", "1", "steps of the integrator in the last frame",
+                                            Storage::kKept};
+inline constexpr Variable<double> kIntegrationFault{"integration_fault", "1", "1: it stopped before the frame's end",
+                                                    Storage::kKept};
 
 inline constexpr Variable<ArticulatedInertia<double>> kContactInertia{
     "contact_inertia", "SI", "what contacts add to a body's inertia in a step that looks ahead", Storage::kStep};

@@ -1,0 +1,122 @@
+// Steps of the length that a wanted accuracy allows, each robot by itself.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "modules/flying_robots.h"
+#include "murosimf/modules/integration/dormand_prince.h"
+
+namespace murosimf::motion {
+namespace {
+
+Method dormandPrince(double tolerance) { return {"dormand_prince", {{"tolerance", tolerance}}}; }
+
+double distance(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(sum);
+}
+
+/// A robot tossed and followed for 0.4 s in frames of 0.1 s, which leave its steps their length.
+struct Toss {
+  std::vector<double> positions;
+  double evaluations = 0, substeps = 0, estimated = 0;  ///< sums over all frames
+
+  explicit Toss(double tolerance) {
+    FlyingRobots flight(1, dormandPrince(tolerance), 0.1);
+    flight.toss(0, 3);
+    for (int i = 0; i < 4; ++i) {
+      flight.run(0.1);
+      EXPECT_EQ(flight.get(0, kIntegrationFault), 0);
+      EXPECT_GE(flight.get(0, kForceEvaluations), 1 + 6 * flight.get(0, kSubsteps));
+      evaluations += flight.get(0, kForceEvaluations), substeps += flight.get(0, kSubsteps);
+      estimated += flight.get(0, kIntegrationError);
+    }
+    positions = flight.positions(0);
+  }
+  double error() const {
+    static const Toss reference(1e-14);
+    return distance(positions, reference.positions);
+  }
+};
+
+TEST(DormandPrince, ErrorIsProportionalToTheToleranceAndCostGrowsWithItsFifthRoot) {
+  const Toss coarse(1e-8), middle(1e-10), fine(1e-12);
+  EXPECT_NEAR(std::log10(coarse.error() / middle.error()), 2, 0.3);
+  EXPECT_NEAR(std::log10(middle.error() / fine.error()), 2, 0.3);
+  EXPECT_NEAR(std::log10(fine.evaluations / middle.evaluations), 2.0 / 5, 0.05);
+  EXPECT_LT(fine.error(), 1e-12);
+}
+
+TEST(DormandPrince, EstimatesItsErrorOnTheSafeSide) {
+  for (const double tolerance : {1e-6, 1e-8, 1e-10}) {
+    const Toss toss(tolerance);
+    EXPECT_GT(toss.estimated, toss.error());  // of order 4, while the step is of order 5
+    EXPECT_LT(toss.estimated, 100 * toss.error());
+    EXPECT_LE(toss.estimated, tolerance * toss.substeps);
+  }
+}
+
+TEST(DormandPrince, RobotsInLanesKeepTheBitsOfTheirOwnRunThoughEachHasStepsOfItsOwn) {
+  for (const int lanes : {4, 8}) {
+    FlyingRobots together(8, dormandPrince(1e-9), 0.01, lanes);
+    for (unsigned i = 0; i < 8; ++i) together.toss(i, i);
+    together.run(0.1);
+    double fewest = 1e9, most = 0;
+    for (unsigned i = 0; i < 8; ++i) {
+      FlyingRobots alone(1, dormandPrince(1e-9), 0.01);
+      alone.toss(0, i);
+      alone.run(0.1);
+      EXPECT_EQ(together.memory(i), alone.memory(0)) << lanes << " " << i;
+      fewest = min(fewest, alone.get(0, kSubsteps)), most = max(most, alone.get(0, kSubsteps));
+    }
+    EXPECT_LT(fewest, most);
+  }
+}
+
+TEST(DormandPrince, ARobotWithoutNumbersNeitherHangsNorDisturbsOthers) {
+  FlyingRobots together(4, dormandPrince(1e-9), 0.01, 4);
+  for (unsigned i = 0; i < 4; ++i) together.toss(i, i);
+  together.run(0.05);
+  together.linked()
+      .handle(together.robots()[2], kJointVelocity, subset::kJoints)
+      .set(std::numeric_limits<double>::quiet_NaN(), 5);
+  together.run(0.05);
+  EXPECT_EQ(together.get(2, kIntegrationFault), 1);
+  EXPECT_LT(together.get(2, kForceEvaluations), 100);
+  for (const unsigned i : {0U, 1U, 3U}) {
+    FlyingRobots alone(1, dormandPrince(1e-9), 0.01);
+    alone.toss(0, i);
+    alone.run(0.1);
+    EXPECT_EQ(together.memory(i), alone.memory(0)) << i;
+  }
+}
+
+TEST(DormandPrince, ARobotThatNeedsTooManyStepsStopsAsFaultyWhereItIs) {
+  FlyingRobots flight(1, {"dormand_prince", {{"tolerance", 1e-10}, {"most_rounds", 3}}}, 0.02);
+  flight.toss(0, 3);
+  flight.run(0.02);
+  EXPECT_EQ(flight.get(0, kIntegrationFault), 1);
+  EXPECT_LE(flight.get(0, kSubsteps), 3);
+  for (const double x : flight.positions(0)) EXPECT_TRUE(std::isfinite(x));
+}
+
+TEST(Integrators, RobotsOfOneWorldWithDifferentOnesKeepTheBitsOfTheirOwnRuns) {
+  const std::vector<Method> all{"implicit_euler", "dormand_prince", "midpoint",
+                                "runge_kutta_4",  "explicit_euler", "semi_implicit_euler"};
+  FlyingRobots together(all, 1e-3, 0);
+  for (unsigned i = 0; i < all.size(); ++i) together.toss(i, i);
+  together.run(0.1);
+  for (unsigned i = 0; i < all.size(); ++i) {
+    FlyingRobots alone(1, all[i], 1e-3);
+    alone.toss(0, i);
+    alone.run(0.1);
+    EXPECT_EQ(together.memory(i), alone.memory(0)) << all[i].name;
+  }
+}
+
+}  // namespace
+}  // namespace murosimf::motion
