@@ -118,5 +118,34 @@ TEST(Integrators, RobotsOfOneWorldWithDifferentOnesKeepTheBitsOfTheirOwnRuns) {
   }
 }
 
+TEST(DormandPrince, ItsPathMeetsTheConditionsOfOrderFourInsideTheStepAndBeyondIt) {
+  const auto sum = [](const StageWeights<double>& w, const double(&values)[kDormandPrinceStages]) {
+    double result = 0;
+    for (int i = 0; i < kDormandPrinceStages; ++i) result += w.of[i] * values[i];
+    return result;
+  };
+  // 1, c, c^2, A c, c^3, c A c, A c^2, A A c [Hairer, Norsett, Wanner 1993, II.2]
+  double c[8][kDormandPrinceStages];
+  for (int i = 0; i < kDormandPrinceStages; ++i) {
+    const StageWeights<double> a = stageWeights<double>(i);
+    c[0][i] = 1, c[1][i] = kStageShare[i], c[2][i] = c[1][i] * c[1][i], c[4][i] = c[2][i] * c[1][i];
+    EXPECT_NEAR(sum(a, c[0]), c[1][i], 1e-14);
+    for (const auto& [row, of] : {std::pair(3, 1), std::pair(6, 2), std::pair(7, 3)}) {
+      c[row][i] = 0;
+      for (int j = 0; j < i; ++j) c[row][i] += a.of[j] * c[of][j];
+    }
+    c[5][i] = c[1][i] * c[3][i];
+  }
+  constexpr int kOrder[] = {1, 2, 3, 3, 4, 4, 4, 4};
+  constexpr double kFactor[] = {1, 2, 3, 6, 4, 8, 12, 24};
+  for (const double theta : {0.1, 0.5, 0.9, 1.0, 1.1, 1.2}) {
+    for (int k = 0; k < 8; ++k) {
+      EXPECT_NEAR(sum(pathWeights(theta), c[k]), std::pow(theta, kOrder[k]) / kFactor[k], 1e-13) << theta << " " << k;
+    }
+  }
+  const StageWeights<double> end = pathWeights(1.0), step = stageWeights<double>(kDormandPrinceStages - 1);
+  for (int i = 0; i < kDormandPrinceStages; ++i) EXPECT_EQ(end.of[i], step.of[i]);
+}
+
 }  // namespace
 }  // namespace murosimf::motion

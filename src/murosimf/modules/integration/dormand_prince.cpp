@@ -89,6 +89,7 @@ void DormandPrince::link(Links& links) {
 
 void DormandPrince::initialise(const BlockMemory& block) const {
   copyColumn(block, initial_, arguments_.q, arguments_.joints, width_);
+  for (int lane = 0; lane < width_; ++lane) RobotLane(block, width_, lane).set(event_time_, -1.0);
 }
 
 void DormandPrince::run(const BlockMemory& block, DormandPrincePart part, int stage) const {
@@ -111,7 +112,7 @@ void DormandPrince::step(const BlockMemory& block, const StepTime& time) const {
   for (int lane = 0; lane < width_; ++lane) {
     const RobotLane robot(block, width_, lane);
     Control control;
-    beginFrame(control, robot.get(step_), time.dt);
+    beginFrame(control, robot.get(step_), robot.get(event_time_) - time.t, time.dt);
     robot.set(control_, control);
   }
   evaluate()(block, time);

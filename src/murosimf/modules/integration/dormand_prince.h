@@ -11,8 +11,8 @@
 /// Lanes      All robots of a block are evaluated together, each in its own state; one that has arrived stands still
 ///            while the others go on. A block costs what its slowest robot costs.
 /// Adds       joint_position, joint_velocity, base_pose, base_velocity; integration_step, the length that the error
-///            would have, for the next frame. Of the last frame: integration_error, substeps, force_evaluations,
-///            event_count, event_time, integration_fault.
+///            would have, for the next frame; event_time. Of the last frame: integration_error, substeps,
+///            force_evaluations, event_count, integration_fault.
 /// Cost       1 evaluation a frame and 6 a step that is tried; about 12 more an event. A tool for accuracy, not for
 ///            games: docs/integrators.md.
 /// Exchange   with any other integrator.
@@ -28,8 +28,7 @@ inline constexpr Variable<double> kIntegrationStep{"integration_step", "s", "len
 inline constexpr Variable<double> kForceEvaluations{"force_evaluations", "1", "of the last frame, of this robot alone",
                                                     Storage::kKept};
 inline constexpr Variable<double> kEventCount{"event_count", "1", "jumps of forces in the last frame", Storage::kKept};
-inline constexpr Variable<double> kEventTime{"event_time", "s", "when the last of them was; keeps while there is none",
-                                             Storage::kKept};
+inline constexpr Variable<double> kEventTime{"event_time", "s", "when forces jumped last; -1: not yet"};
 
 class DormandPrince final : public Integrator {
  public:

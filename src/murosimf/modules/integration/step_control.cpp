@@ -77,13 +77,13 @@ void narrow(StepControl<>& c, bool changed) {
 
 }  // namespace
 
-void beginFrame(StepControl<>& c, double step, double dt) {
+void beginFrame(StepControl<>& c, double step, double last_event, double dt) {
   c = {};
   c.moved = 1;
   c.evaluations = 1;
   c.step = step > 0 ? min(step, dt) : dt;
   c.crossing = kNever;
-  c.last_event = -1e300;
+  c.last_event = last_event;
 }
 
 bool planStep(StepControl<>& c, const StepLimits& limits, double dt) {

@@ -57,8 +57,9 @@ struct StepControl {
   S fault;                             ///< 1: the robot has stopped before the end of its frame
 };
 
-/// At the beginning of a frame of length dt; `step`: length of a step as it was good in the frame before, if positive.
-void beginFrame(StepControl<>& c, double step, double dt);
+/// At the beginning of a frame of length dt. `step`: length of a step as it was good in the frame before, if positive;
+/// `last_event`: when the last event was, from the frame's beginning.
+void beginFrame(StepControl<>& c, double step, double last_event, double dt);
 /// Chooses the next step. False when there is none any more.
 bool planStep(StepControl<>& c, const StepLimits& limits, double dt);
 /// After the step has been tried: does it count? True when an event is to be searched behind its end.
