@@ -10,7 +10,7 @@
 namespace murosimf::motion {
 namespace {
 
-constexpr double kBallMass = 0.5, kSpring = 5000, kDamper = 10, kGravity = 9.81;  // SI
+constexpr double kBallMass = 0.5, kSpring = 5000, kDamper = 10;  // SI
 
 /// Pushes the base's origin out of the ground, z < 0, with -k z - c z'.
 class SpringFloor final : public RobotModule {

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "murosimf/algorithms/gravity.h"
 #include "murosimf/algorithms/tree_motion.h"
 #include "murosimf/linking/linked_world.h"
 #include "murosimf/world/vocabulary.h"
@@ -15,7 +16,7 @@ struct Mechanics {
   Vector3 centre;           ///< of mass, in the world
   Vector3 linear, angular;  ///< momentum; angular: about the centre of mass; world axes
   double kinetic = 0;       ///< of bodies and rotors [J]
-  double energy() const { return kinetic + mass * 9.81 * centre.z; }
+  double energy() const { return kinetic + mass * kGravity * centre.z; }
 };
 
 /// How the bodies of a robot move: poses in the world, and velocities in their own axes.

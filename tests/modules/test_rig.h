@@ -31,7 +31,7 @@ class Support final : public RobotModule {
   }
   void stepRobot(const RobotLane& robot, const StepTime&) const override {
     SpatialForce<double> force = robot.get(force_);
-    force.f += robot.get(up_) * (9.81 * robot.get(inertia_).m);
+    force.f += robot.get(up_) * (kGravity * robot.get(inertia_).m);
     robot.set(force_, force);
   }
   RobotValues<const RigidInertia<double>> inertia_;

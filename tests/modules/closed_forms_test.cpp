@@ -1,0 +1,189 @@
+// Mechanisms on a stand against textbook solutions: pendulums, a cart, a spring, tops.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "modules/test_rig.h"
+
+namespace murosimf::motion {
+namespace {
+
+constexpr int kX = 0, kY = 1, kZ = 2;
+const Method kExact{"dormand_prince", {{"tolerance", 1e-13}}};
+
+/// A rod along -z from its joint.
+RigidInertia<double> hangingRod(double m, double l) {
+  const double I = m * l * l / 12;
+  return shifted(rigidBody(m, {I, I, 0}), {0, 0, -l / 2});
+}
+
+struct MethodAndStep {
+  Method method;
+  double step, tolerance;
+};
+
+TEST(ClosedForms, DoublePendulumReachesItsReferenceState) {
+  for (const MethodAndStep& p : {MethodAndStep{"runge_kutta_4", 1e-4, 2e-12}, MethodAndStep{kExact, 0.1, 2e-12}}) {
+    TestRig rig(stand());
+    rig.joint(0, JointKind::kRevolute, kY, {0, 0, 0}, pointMass(1, {0, 0, -1}));
+    rig.joint(1, JointKind::kRevolute, kY, {0, 0, -1}, pointMass(1, {0, 0, -1}));
+    rig.use<Support>("support");
+    rig.link(p.method, p.step);
+    rig.set(0, kPi / 2, 0), rig.set(1, 0, 0);  // both rods level; the second angle is relative to the first
+    rig.run(1);
+    // Found by a method of order 8 with tolerance 1e-14, g = 9.81 m/s^2.
+    EXPECT_NEAR(rig.q(0), -0.625087699806396, p.tolerance) << p.method.name;
+    EXPECT_NEAR(rig.q(0) + rig.q(1), -1.03458508568001, p.tolerance) << p.method.name;
+    EXPECT_NEAR(rig.dq(0), -3.92227957288804, 4 * p.tolerance) << p.method.name;
+    EXPECT_NEAR(rig.dq(0) + rig.dq(1), -1.30309924869621, 4 * p.tolerance) << p.method.name;
+  }
+}
+
+TEST(ClosedForms, DoublePendulumKeepsItsEnergyAsTheOrderOfTheMethodSays) {
+  const auto drift = [](const Method& method, double step) {
+    TestRig rig(stand());
+    rig.joint(0, JointKind::kRevolute, kY, {0, 0, 0}, pointMass(1, {0, 0, -1}));
+    rig.joint(1, JointKind::kRevolute, kY, {0, 0, -1}, pointMass(1, {0, 0, -1}));
+    rig.use<Support>("support");
+    rig.link(method, step);
+    rig.set(0, kPi / 2, 0);
+    double most = 0;
+    for (int i = 0; i < 20; ++i) {  // released at height 0: energy 0
+      rig.run(0.1);
+      const double a = rig.q(0), b = a + rig.q(1), da = rig.dq(0), db = da + rig.dq(1);
+      const double kinetic = da * da + 0.5 * db * db + da * db * std::cos(a - b);
+      most = std::max(most, std::fabs(kinetic - kGravity * (2 * std::cos(a) + std::cos(b))));
+    }
+    return most;
+  };
+  EXPECT_NEAR(std::log2(drift("semi_implicit_euler", 1e-3) / drift("semi_implicit_euler", 5e-4)), 1, 0.1);
+  EXPECT_NEAR(std::log2(drift("midpoint", 1e-3) / drift("midpoint", 5e-4)), 2, 0.3);
+  const double coarse = drift("runge_kutta_4", 2e-3), fine = drift("runge_kutta_4", 1e-3);
+  EXPECT_GT(std::log2(coarse / fine), 3.8);
+  EXPECT_LT(fine, 1e-7);
+  EXPECT_LT(drift({"dormand_prince", {{"tolerance", 1e-12}}}, 0.1), 1e-9);
+}
+
+TEST(ClosedForms, RodPendulumSwingsWithThePeriodOfTheEllipticIntegral) {
+  constexpr double kMass = 0.7, kLength = 0.4, kAmplitude = 2.5;  // [kg], [m], [rad]
+  const double k = std::sin(kAmplitude / 2), omega = std::sqrt(1.5 * kGravity / kLength);
+  const double quarter = std::comp_ellint_1(k) / omega;
+  TestRig rig(stand());
+  rig.joint(0, JointKind::kRevolute, kY, {0, 0, 0}, hangingRod(kMass, kLength)).use<Support>("support");
+  rig.link(kExact, quarter / 4);
+  rig.set(0, kAmplitude, 0);
+  rig.run(quarter);
+  EXPECT_NEAR(rig.q(0), 0, 1e-11);
+  EXPECT_NEAR(rig.dq(0), -2 * omega * k, 1e-10);
+  rig.run(quarter);
+  EXPECT_NEAR(rig.q(0), -kAmplitude, 1e-11);
+  rig.run(2 * quarter);
+  EXPECT_NEAR(rig.q(0), kAmplitude, 1e-11);
+  EXPECT_NEAR(rig.dq(0), 0, 1e-10);
+}
+
+constexpr double kRodMass = 0.5, kRodLength = 0.6, kRail = 0.4, kHinge = 0.02;  // SI; the last two: viscous friction
+
+/// Rates of x, a, x', a' of a rod, hanging at the angle a, on a cart without mass at x:
+///   m x'' + (m l / 2) (cos a a'' - sin a a'^2) = -c x'
+///   (m l / 2) cos a x'' + (m l^2 / 3) a'' = -d a' - (m g l / 2) sin a
+std::array<double, 4> cartRates(const std::array<double, 4>& y) {
+  const double first = kRodMass * kRodLength / 2, second = kRodMass * kRodLength * kRodLength / 3;
+  const double s = std::sin(y[1]), c = std::cos(y[1]);
+  const double f = first * s * y[3] * y[3] - kRail * y[2], n = -kHinge * y[3] - first * kGravity * s;
+  const double determinant = kRodMass * second - first * c * first * c;
+  return {y[2], y[3], (f * second - first * c * n) / determinant, (kRodMass * n - first * c * f) / determinant};
+}
+
+TEST(ClosedForms, RodOnACartFollowsItsEquationsOfMotion) {
+  std::array<double, 4> y{0.1, 1.2, 0.5, -2.0};
+  TestRig rig(stand());
+  rig.joint(0, JointKind::kPrismatic, kX, {0, 0, 0}, RigidInertia<double>{});
+  rig.joint(1, JointKind::kRevolute, kY, {0, 0, 0}, hangingRod(kRodMass, kRodLength));
+  rig.with(0, kJointDamping, kRail).with(1, kJointDamping, kHinge).use<Support>("support");
+  rig.link(kExact, 0.1);
+  rig.set(0, y[0], y[2]), rig.set(1, -y[1], -y[3]);  // a positive turn about y swings the rod towards -x
+  rig.run(1);
+  constexpr int kSteps = 20000;
+  const auto moved = [](std::array<double, 4> a, const std::array<double, 4>& rate, double h) {
+    for (std::size_t i = 0; i < 4; ++i) a[i] += h * rate[i];
+    return a;
+  };
+  for (int i = 0; i < kSteps; ++i) {
+    constexpr double h = 1.0 / kSteps;
+    const auto k1 = cartRates(y), k2 = cartRates(moved(y, k1, h / 2)), k3 = cartRates(moved(y, k2, h / 2));
+    const auto k4 = cartRates(moved(y, k3, h));
+    for (std::size_t j = 0; j < 4; ++j) y[j] += h / 6 * (k1[j] + 2 * k2[j] + 2 * k3[j] + k4[j]);
+  }
+  EXPECT_NEAR(rig.q(0), y[0], 1e-11);
+  EXPECT_NEAR(rig.q(1), -y[1], 1e-11);
+  EXPECT_NEAR(rig.dq(0), y[2], 1e-10);
+  EXPECT_NEAR(rig.dq(1), -y[3], 1e-10);
+}
+
+TEST(ClosedForms, MassOnASpringAndADamperSwingsAboutWhereItsWeightPullsIt) {
+  constexpr double kMass = 0.8, kStiffness = 60, kDamping = 0.9, kForce = 2;  // SI
+  TestRig rig(stand());
+  rig.joint(0, JointKind::kPrismatic, kZ, {0, 0, 0}, rigidBody(kMass, {1, 1, 1}));
+  rig.with(0, kJointDamping, kDamping).with(0, kServoStiffness, kStiffness).with(0, kServoDamping, 0);
+  rig.with(0, kStallTorque, 1e6).with(0, kLargestVelocity, 1e12).with(0, kLowerLimit, -9).with(0, kUpperLimit, 9);
+  rig.use({"servo_controller", "position_servo"}).use<Support>("support");
+  rig.link(kExact, 0.1);
+  rig.command(0, {0, 0, kForce, 1, 0});  // the servo as a spring about 0
+  rig.run(1);
+  const double rest = (kForce - kMass * kGravity) / kStiffness, delta = kDamping / (2 * kMass);
+  const double omega = std::sqrt(kStiffness / kMass - delta * delta);
+  const double left = std::exp(-delta) * (std::cos(omega) + delta / omega * std::sin(omega));
+  EXPECT_NEAR(rig.q(0), rest * (1 - left), 1e-11);
+}
+
+/// A spinning top on gimbals: precession about z, nutation about x, spin about z again.
+struct Top {
+  static constexpr double kMass = 0.3, kHeight = 0.05, kAxial = 4e-4, kAcross = 1.2e-3;  // about the tip [kg m^2]
+  static constexpr double kPull = kMass * kGravity * kHeight;
+  TestRig rig{stand()};
+
+  Top(double nutation, double precession_rate, double spin, double step) {
+    const double about_centre = kAcross - kMass * kHeight * kHeight;
+    const auto body = shifted(rigidBody(kMass, {about_centre, about_centre, kAxial}), {0, 0, kHeight});
+    rig.joint(0, JointKind::kRevolute, kZ, {0, 0, 0}, RigidInertia<double>{});
+    rig.joint(1, JointKind::kRevolute, kX, {0, 0, 0}, RigidInertia<double>{});
+    rig.joint(2, JointKind::kRevolute, kZ, {0, 0, 0}, body).use<Support>("support");
+    rig.link({"dormand_prince", {{"tolerance", 1e-12}}}, step);
+    rig.set(0, 0, precession_rate), rig.set(1, nutation, 0);
+    rig.set(2, 0, spin - precession_rate * std::cos(nutation));  // spin: about the top's own axis, w_3
+  }
+};
+
+TEST(ClosedForms, TopPrecessesSteadilyAtBothRootsOfItsEquation) {
+  constexpr double kNutation = 0.6, kSpin = 90;
+  // I1 W^2 cos(nutation) - I3 w3 W + m g l = 0
+  const double a = Top::kAcross * std::cos(kNutation), b = Top::kAxial * kSpin;
+  const double root = std::sqrt(b * b - 4 * a * Top::kPull);
+  for (const double rate : {(b - root) / (2 * a), (b + root) / (2 * a)}) {
+    Top top(kNutation, rate, kSpin, 0.02);
+    for (int i = 0; i < 10; ++i) {
+      top.rig.run(0.1);
+      EXPECT_NEAR(top.rig.q(1), kNutation, 1e-9) << rate;
+    }
+    EXPECT_NEAR(top.rig.q(0), rate * 1, 1e-8) << rate;
+    EXPECT_NEAR(top.rig.dq(0), rate, 1e-7) << rate;
+  }
+}
+
+TEST(ClosedForms, FastTopLetGoPrecessesOnAverageAtMglOverItsSpin) {
+  const auto error = [](double spin) {
+    const double period = 2 * kPi * Top::kAcross / (Top::kAxial * spin);  // of the nutation, for a fast top
+    Top top(0.6, 0, spin, period);
+    top.rig.run(20 * period);
+    return top.rig.q(0) / (20 * period) / (Top::kPull / (Top::kAxial * spin)) - 1;
+  };
+  const double slow = error(500), fast = error(1000);
+  EXPECT_LT(std::fabs(slow), 0.02);
+  EXPECT_NEAR(slow / fast, 4, 0.4);  // the correction is of order 1 / w3^2
+}
+
+}  // namespace
+}  // namespace murosimf::motion
