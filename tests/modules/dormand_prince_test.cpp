@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 
+#include "modules/dynamic_world.h"
 #include "modules/flying_robots.h"
 #include "murosimf/modules/integration/dormand_prince.h"
 
@@ -116,6 +117,27 @@ TEST(Integrators, RobotsOfOneWorldWithDifferentOnesKeepTheBitsOfTheirOwnRuns) {
     alone.run(0.1);
     EXPECT_EQ(together.memory(i), alone.memory(0)) << all[i].name;
   }
+}
+
+/// Where KS21 stands after half a second of stepping forward on turf.
+Vector3 walked(const std::string& integrator, double frame) {
+  constexpr double kControl = 0.02;
+  DynamicWorld world(frame);
+  const ObjectId robot = world.add("robot", ks21(), gait(0, {}, 0));
+  world.link(multibody("hunt_crossley_contact", integrator));
+  for (double t = 0; t < 0.5; t += kControl) {
+    world.command(robot, gait(t / 0.52, {0.1, 0, 0}, t));
+    world.run(kControl);
+  }
+  return world.base(robot).translation;
+}
+
+TEST(DormandPrince, WalksTheSameWayInFramesOfAnyLengthWhichFixedStepsComeTo) {
+  const Vector3 way = walked("dormand_prince", 1e-3);
+  EXPECT_LT(norm(walked("dormand_prince", 0.01) - way), 1e-6);
+  const double coarse = norm(walked("implicit_euler", 1e-3) - way), fine = norm(walked("implicit_euler", 1e-4) - way);
+  EXPECT_LT(coarse, 1e-3);
+  EXPECT_LT(fine, coarse / 5);  // of order 1
 }
 
 TEST(DormandPrince, ItsPathMeetsTheConditionsOfOrderFourInsideTheStepAndBeyondIt) {
