@@ -25,12 +25,14 @@ run: configure  ## play 60 s of the 3 versus 3 game; pictures, report and video 
 test: build  ## build and run the tests
 	@ctest --preset release --parallel $(JOBS)
 
-bench: configure  ## measure: time per robot and step, lanes against scalar
+bench: deps  ## measure against MuJoCo, ODE and ourselves; the table goes to out/bench.json
+	@tools/install_packages.sh bench || true  # without them the table says what is missing
+	@cmake --preset release >/dev/null
 	@cmake --build --preset release --parallel $(JOBS) --target murosimf-bench
 	@$(BUILD)/murosimf-bench
 
 check-all: deps  ## everything before a release: both compilers, sanitizers, clang-tidy, slow tests
-	@tools/install_packages.sh build check
+	@tools/install_packages.sh build bench check
 	@tools/check_all.sh
 
 format:  ## format all C++ files

@@ -2,7 +2,8 @@
 # those below), tests/controllers with the control software and with algorithms/ (its ray caster draws pictures for the
 # vision; the control software itself sees neither), every other folder (tests/game, tests/apps, ...) with everything.
 # tests/modules and tests/simulation move the robots of robots/ by the reference gait, so they see scene/ and the control
-# software too. Files *_v4.cpp are compiled for AVX-512 and must include nothing but math/ and plain declarations.
+# software too; so does tests/peers, which compares with other simulators and is left out where these are missing
+# (cmake/peers.cmake). Files *_v4.cpp are compiled for AVX-512 and must include nothing but math/ and plain declarations.
 # Files *_slow.cpp make test_<folder>_slow, labelled `slow`: `make check-all` runs them, `make test` does not. Tests run
 # in the source tree's root; MUROSIMF_SOURCE_DIR is that root.
 set(MUROSIMF_TEST_TIMEOUT 240 CACHE STRING "Seconds that one test executable may take")
@@ -38,14 +39,14 @@ endfunction()
 
 file(GLOB folders CONFIGURE_DEPENDS LIST_DIRECTORIES true RELATIVE "${PROJECT_SOURCE_DIR}/tests" "${PROJECT_SOURCE_DIR}/tests/*")
 foreach(folder IN LISTS folders)
-  if(NOT IS_DIRECTORY "${PROJECT_SOURCE_DIR}/tests/${folder}")
+  if(NOT IS_DIRECTORY "${PROJECT_SOURCE_DIR}/tests/${folder}" OR (folder STREQUAL "peers" AND NOT TARGET murosimf_peers))
     continue()
   endif()
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/${folder}/*.cpp")
   set(slow ${sources})
   list(FILTER slow INCLUDE REGEX "_slow\\.cpp$")
   list(FILTER sources EXCLUDE REGEX "_slow\\.cpp$")
-  if(sources)
+  if(sources MATCHES "_test\\.cpp(;|$)")
     murosimf_test(test_${folder} ${folder} ${sources})
   endif()
   if(slow)

@@ -1,0 +1,15 @@
+# Other simulators, MuJoCo and ODE: referees of tests and peers of benchmarks. Nothing that is installed links them.
+# Target murosimf_peers exists where both were found; else tests/peers and what needs it in bench/ are left out.
+if(NOT MUROSIMF_PEERS)
+  return()
+endif()
+find_path(MUROSIMF_MUJOCO_INCLUDE mujoco/mujoco.h)
+find_library(MUROSIMF_MUJOCO_LIBRARY mujoco)
+find_path(MUROSIMF_ODE_INCLUDE ode/ode.h)
+find_library(MUROSIMF_ODE_LIBRARY ode)
+mark_as_advanced(MUROSIMF_MUJOCO_INCLUDE MUROSIMF_MUJOCO_LIBRARY MUROSIMF_ODE_INCLUDE MUROSIMF_ODE_LIBRARY)
+if(MUROSIMF_MUJOCO_INCLUDE AND MUROSIMF_MUJOCO_LIBRARY AND MUROSIMF_ODE_INCLUDE AND MUROSIMF_ODE_LIBRARY)
+  add_library(murosimf_peers INTERFACE)
+  target_include_directories(murosimf_peers SYSTEM INTERFACE "${MUROSIMF_MUJOCO_INCLUDE}" "${MUROSIMF_ODE_INCLUDE}")
+  target_link_libraries(murosimf_peers INTERFACE murosimf_scene murosimf_controllers "${MUROSIMF_MUJOCO_LIBRARY}" "${MUROSIMF_ODE_LIBRARY}")
+endif()
