@@ -2,9 +2,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include <ctime>
-
 #include "algorithms/camera_scene.h"
+#include "paired_ratio.h"
 
 namespace murosimf {
 namespace {
@@ -73,13 +72,6 @@ BENCHMARK_CAPTURE(variant, robots_22, [](Setup& s) {
     camera_scene::addRobot({0.4 + 0.1 * k, 0.8 * sin(2.0 * k), 0.5 * k}, {0.2F, 0.6F, 0.8F}, 30 + k, s.scene);
 })->Unit(benchmark::kMillisecond);
 
-/// Processor time of this thread [s].
-double threadTime() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 /// Time with the lens over time without, pictures of equal width of view, taken in turns.
 void distortedOverStraight(benchmark::State& state) {
   Setup lens(distortedCamera(static_cast<int>(state.range(0)))),
@@ -87,11 +79,11 @@ void distortedOverStraight(benchmark::State& state) {
   double with = 0, without = 0;
   int frame = 0;
   for (auto _ : state) {
-    const double begin = threadTime();
+    const double begin = bench::threadTime();
     lens.cast(frame);
-    const double middle = threadTime();
+    const double middle = bench::threadTime();
     straight.cast(frame++);
-    with += middle - begin, without += threadTime() - middle;
+    with += middle - begin, without += bench::threadTime() - middle;
   }
   state.counters["ratio"] = with / without;
 }

@@ -7,15 +7,37 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
 
 #include "paired_ratio.h"
 
 namespace {
 
-void report(const std::vector<murosimf::bench::Row>& rows) {
+using murosimf::bench::Part;
+using murosimf::bench::Row;
+
+/// Rows of all parts, printed as they come. @return false when a part has nothing to report
+bool collect(const std::vector<Part>& parts, std::vector<Row>& rows) {
+  bool complete = true;
+  for (const Part& part : parts) {
+    try {
+      for (Row& row : part()) {
+        std::printf("%s\n", row.text.c_str());
+        std::fflush(stdout);
+        rows.push_back(std::move(row));
+      }
+    } catch (const std::runtime_error& fault) {
+      std::fprintf(stderr, "error: no comparison: %s\n", fault.what());
+      complete = false;
+    }
+  }
+  return complete;
+}
+
+void write(const std::vector<Row>& rows) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const auto& row : rows) {
-    std::printf("%s\n", row.text.c_str());
+  for (const Row& row : rows) {
     const std::size_t first = row.name.find_first_not_of(' ');
     all.push_back({{"name", row.name.substr(first)},
                    {"ratio", row.ratio},
@@ -34,7 +56,13 @@ void report(const std::vector<murosimf::bench::Row>& rows) {
 int main(int count, char** words) {
   benchmark::Initialize(&count, words);
   if (benchmark::ReportUnrecognizedArguments(count, words)) return 2;
-  report(murosimf::bench::kinematicRows());
+  std::vector<Row> rows;
+  bool complete = true;
+  for (const auto& parts : {murosimf::bench::peerParts(), murosimf::bench::growthParts(), murosimf::bench::passParts(),
+                            murosimf::bench::kinematicParts()}) {
+    complete = collect(parts, rows) && complete;
+  }
+  write(rows);
   benchmark::RunSpecifiedBenchmarks();
-  return 0;
+  return complete ? 0 : 1;
 }
