@@ -32,7 +32,7 @@ const OutsideAccess& ports() {
 Level multibodyLevel() {
   return {"multibody",
           {"servo_controller", "position_servo", "tree_motion", "hunt_crossley_contact", "multibody_dynamics",
-           "implicit_euler"}};
+           "dynamic_inertial_sensor", "implicit_euler"}};
 }
 
 Level kinematicLevel() { return {"kinematic", {"ideal_servo", "kinematic_walking", "body_poses", "inertial_sensor"}}; }

@@ -1,4 +1,5 @@
-// Accelerations of our multibody dynamics against MuJoCo's, which come from another algorithm by other people.
+// Accelerations of our multibody dynamics, and what an inertial sensor makes of them, against MuJoCo's: another
+// algorithm by other people.
 
 #include <gtest/gtest.h>
 
@@ -65,10 +66,12 @@ class OurRobot {
     registry_.add<AccelerationWitness>("acceleration_witness", "test", "keeps accelerations");
     robot_ = addRobot(world_, "robot", motion::ks21(), Colour{});
     Linker linker(world_, registry_, LinkOptions{1e-3, 1});
-    for (const char* module :
-         {"test_torque", "tree_motion", "multibody_dynamics", "acceleration_witness", "explicit_euler"}) {
+    for (const char* module : {"test_torque", "tree_motion", "multibody_dynamics", "acceleration_witness",
+                               "dynamic_inertial_sensor", "explicit_euler"}) {
       linker.assign({robot_, module, {}, {}});
     }
+    static const OutsideAccess reader([](Declaration& d) { d.reads(kGyroscope), d.reads(kAccelerometer); });
+    linker.attach({"reader", &reader, {robot_}});
     Diagnostics diagnostics;
     linked_ = linker.link(diagnostics);
     if (linked_ == nullptr) throw std::runtime_error(diagnostics.text());
@@ -91,6 +94,9 @@ class OurRobot {
     for (int j = 0; j < seen.size(); ++j) result.joints.push_back(seen.get(j));
     return result;
   }
+
+  Vector3 gyroscope() { return linked_->handle(robot_, kGyroscope).get(); }
+  Vector3 accelerometer() { return linked_->handle(robot_, kAccelerometer).get(); }
 
  private:
   World world_;
@@ -127,22 +133,23 @@ std::vector<double> numbersOf(const PeerAcceleration& a) {
   return numbers;
 }
 
-TEST(MultibodyDynamics, AcceleratesLikeMuJoCoInAHundredRandomStates) {
+TEST(MultibodyDynamics, AcceleratesAndFeelsLikeMuJoCoInAHundredRandomStates) {
   const MujocoModel model({.robot = motion::ks21(), .servos = false});
   MujocoRobot peer(model);
+  PeerSensors sensors(motion::ks21());
   OurRobot ours;
   for (unsigned seed = 0; seed < 100; ++seed) {
     const Tossed t = tossed(seed);
     peer.set(t.state);
     const std::vector<double> expected = numbersOf(peer.accelerate(t.torques));
+    peer.read(sensors);
     const std::vector<double> found = numbersOf(ours.accelerate(t.state, t.torques));
-    double largest = 0, difference = 0;
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-      largest = std::max(largest, std::fabs(expected[i]));
-      difference = std::max(difference, std::fabs(found[i] - expected[i]));
-    }
+    double largest = 0;
+    for (const double a : expected) largest = std::max(largest, std::fabs(a));
     EXPECT_GT(largest, 10) << seed;
-    EXPECT_LT(difference, 1e-9 * largest) << seed;
+    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-9 * largest) << seed;
+    EXPECT_LT(norm(ours.gyroscope() - sensors.gyroscope), 1e-12) << seed;
+    EXPECT_LT(norm(ours.accelerometer() - sensors.accelerometer), 1e-9 * largest) << seed;
   }
 }
 
