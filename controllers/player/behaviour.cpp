@@ -75,6 +75,11 @@ Play Behaviour::step(const Situation& now, bool head_glances) {
 
 Decision Behaviour::decide(const Situation& now, const BallPlace& ball) {
   const HeadRequest::Kind look = now.ball_known ? HeadRequest::Kind::kBallAndField : HeadRequest::Kind::kSearch;
+  if (now.fallen) {
+    restart();
+    kicked_ = false;  // a kick that ended in a fall tells nothing
+    return {{}, HeadRequest::Kind::kAhead, "get up"};
+  }
   if (now.game.phase != client::GamePhase::kPlaying || now.game.penalised) {
     restart();
     return {{}, look, "stand"};

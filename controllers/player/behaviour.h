@@ -3,6 +3,7 @@
 /// @file The player's decisions: who goes to the ball, what the others do, what happens around kick-off.
 ///
 /// No script and no memory but a few timers: every step the most urgent of these holds
+///   fallen                        leave the body to get up
 ///   not playing or penalised      stand
 ///   opponents' kick-off           wait until the ball moves, 10 s at most
 ///   kick under way                watch the ball

@@ -1,9 +1,12 @@
 #pragma once
 
-/// @file What the body does: stand, walk or kick, one after the other and never two at once.
+/// @file What the body does: stand, walk, kick or get up, one after the other and never two at once.
 ///
 /// A kick begins only when the robot has stood still for a moment, and the robot stands still for a moment after it.
+/// A robot that has fallen drops what it does, gets up by itself and stands for a moment, whatever is wished.
 
+#include "fall_detector.h"
+#include "fall_recovery.h"
 #include "key_frame_player.h"
 #include "kick_motion.h"
 #include "walking_engine.h"
@@ -18,17 +21,26 @@ struct MotionRequest {
   int foot = kRight;  ///< with kKick
 };
 
+/// What the body feels of its own motion.
+struct BodySense {
+  Vector3 angular_velocity;  ///< of the pelvis in its own axes [rad/s], used only with `feedback`
+  Vector3 specific_force;    ///< of the accelerometer, trunk axes [m/s^2]; zero where there is none
+};
+
 class BodyMotion {
  public:
   BodyMotion();
 
-  /// Advances by dt [s] towards what is wished. A kick that has begun is played to its end.
-  /// @param angular_velocity  of the pelvis in its own axes [rad/s], used only with `feedback`
+  /// Advances by dt [s] towards what is wished. A kick that has begun is played to its end, unless the robot falls.
   /// @return angles to command [rad]; head joints are 0. No allocation.
-  JointAngles step(double dt, const MotionRequest& wish, const Vector3& angular_velocity, bool feedback);
+  JointAngles step(double dt, const MotionRequest& wish, const BodySense& felt, bool feedback);
+  /// Somebody has put the robot on its feet.
+  void putUpright();
 
   /// Stands still, long enough to start a kick.
   bool settled() const { return settled_time_ >= kSettleTime; }
+  /// Lies or gets up; the soles do not carry it then.
+  bool fallen() const { return recovery_.active(); }
   bool kicking() const { return kick_.running(); }
   /// Since the kick began [s]; the foot meets the ball at kKickContactTime.
   double kickTime() const { return kick_.elapsed(); }
@@ -41,9 +53,12 @@ class BodyMotion {
   static constexpr double kRecoveryTime = 0.3;  ///< and after it [s]
 
   bool startsKick(const MotionRequest& wish);
+  JointAngles recover(double dt);
 
   WalkingEngine engine_;
   KeyFramePlayer kick_;  ///< motion 0 with the right foot, 1 with the left
+  FallDetector fall_;
+  FallRecovery recovery_;
   JointAngles commanded_{};
   double settled_time_ = 0, recovery_time_ = 0;
   std::uint32_t kicks_started_ = 0;

@@ -61,10 +61,11 @@ HeadAngles HeadMotion::watchTarget(double dt, const HeadRequest& request, const 
 }
 
 HeadAngles HeadMotion::step(double dt, const HeadRequest& request, const Posture& posture) {
+  const bool ahead = request.kind == HeadRequest::Kind::kAhead;
   const bool sweeps = request.kind == HeadRequest::Kind::kSearch || request.kind == HeadRequest::Kind::kLookAround;
-  if (sweeps) {
+  if (sweeps || ahead) {
     glance_left_ = 0;
-    const HeadAngles goal = searchTarget(request);
+    const HeadAngles goal = ahead ? HeadAngles{} : searchTarget(request);
     commanded_ = {sweepTo(commanded_.pan, goal.pan, dt), sweepTo(commanded_.tilt, goal.tilt, dt)};
   } else {
     const HeadAngles goal = watchTarget(dt, request, posture);

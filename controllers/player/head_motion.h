@@ -19,6 +19,7 @@ struct HeadRequest {
     kWatchBall,     ///< nothing but the ball
     kBallAndField,  ///< the ball, with a glance at `landmark` now and then
     kLookAround,    ///< sweep at the height of landmarks: the ball can wait
+    kAhead,         ///< straight ahead: the body needs its head still
   };
   Kind kind = Kind::kSearch;
   Vector3 ball;      ///< in R [m]

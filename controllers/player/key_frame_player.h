@@ -27,6 +27,8 @@ class KeyFramePlayer {
   void start(int motion, const JointAngles& now);
   /// Advances by dt [s] and returns the angles to command. Does nothing but return the last posture when it is over.
   const JointAngles& step(double dt);
+  /// Ends the motion where it is.
+  void stop() { motion_ = -1; }
   bool running() const { return motion_ >= 0; }
   double elapsed() const { return elapsed_; }  ///< since the start of the motion [s]
   int motion() const { return motion_; }       ///< index, -1 when none runs

@@ -7,6 +7,10 @@ namespace murosimf::controllers {
 
 namespace {
 
+// How far a fall and the way back to the feet take the robot along each axis, and turn it: root mean squares over
+// pushes of 3 and 5 N s in 32 directions.
+constexpr double kFallDistance = 0.5, kFallTurn = 1.1;  // [m], [rad]
+
 constexpr double kServoStiffness = 30, kKneeStiffness = 45;  // [N m/rad]
 
 Role roleOf(const client::RobotDescription& robot) {
@@ -55,7 +59,9 @@ void Player::step(const client::SensorFrame& sensors, client::CommandFrame& comm
 
 void Player::feelMotion(const client::SensorFrame& sensors) {
   Posture now = computePosture(robot_, sensors.joints, posture_.stance);
-  const PlanarPose increment = posture_known_ ? odometryIncrement(posture_, now) : PlanarPose{};
+  // While no sole is known to lie flat on the ground, the joints do not tell how the robot moves.
+  const bool on_feet = posture_known_ && !body_.fallen();
+  const PlanarPose increment = on_feet ? odometryIncrement(posture_, now) : PlanarPose{};
   posture_ = std::move(now), posture_known_ = true;
   localisation_.move(increment);
   ball_.move(increment, robot_.control_period);
@@ -69,6 +75,7 @@ void Player::heedReferee(const client::GameInfo& game) {
   if (game.placed) {
     localisation_.place(game.placed_at);
     obstacles_.clear();
+    body_.putUpright();
   }
   if (!game.placed && !ball_moved) return;
   ball_.forget();
@@ -78,11 +85,17 @@ void Player::heedReferee(const client::GameInfo& game) {
 
 void Player::look(const client::SensorFrame& sensors) {
   percepts_.clear();
-  if (sensors.pictures.empty()) return;
+  if (sensors.pictures.empty() || body_.fallen()) return;  // from the ground the posture explains no picture
   eyes_->process(sensors, posture_, percepts_);
   localisation_.observe(percepts_);
   ball_.observe(percepts_);
   obstacles_.observe(percepts_.robots);
+}
+
+void Player::getBackOnFeet() {
+  localisation_.widen(kFallDistance, kFallTurn);
+  ball_.forget();
+  obstacles_.clear();
 }
 
 /// @returns how many of obstacles_R_ are robots; these come first.
@@ -113,6 +126,7 @@ Situation Player::gather(const client::SensorFrame& sensors) {
   const std::size_t robot_count = collectObstacles(now.X_FR);
   now.obstacles_R = obstacles_R_;
   now.robots_R = now.obstacles_R.first(robot_count);
+  now.fallen = body_.fallen();
   now.settled = body_.settled(), now.kicking = body_.kicking(), now.kick_time = body_.kickTime();
   now.velocity = body_.velocity();
   return now;
@@ -122,7 +136,9 @@ void Player::moveJoints(const client::SensorFrame& sensors, const Play& play, cl
   const double dt = robot_.control_period;
   // The gyroscope sits on the trunk, the legs hang on the pelvis.
   const Vector3 rate = rotationZ(sensors.joints[kWaistYaw].position) * sensors.angular_velocity;
-  JointAngles angles = body_.step(dt, play.motion, rate, servos_feel_);
+  const bool was_fallen = body_.fallen();
+  JointAngles angles = body_.step(dt, play.motion, {rate, sensors.specific_force}, servos_feel_);
+  if (was_fallen && !body_.fallen()) getBackOnFeet();
   const HeadAngles head = head_.step(dt, play.head, posture_);
   angles[kHeadPan] = head.pan, angles[kHeadTilt] = head.tilt;
   for (std::size_t i = 0; i < angles.size(); ++i) {

@@ -3,7 +3,8 @@
 /// @file The reference control software of a soccer robot KS21: from sensor frame to command frame.
 ///
 /// Each control period: posture from the joint sensors, odometry from the stance foot, percepts from the pictures (if
-/// there are any), self-localisation and ball, decision, body and head motion, radio message, report.
+/// there are any), self-localisation and ball, decision, body and head motion, radio message, report. A robot that lies
+/// or gets up looks at no picture and trusts no odometry; back on its feet it knows that it is somewhere near.
 
 #include <memory>
 
@@ -31,6 +32,7 @@ class Player final : public client::ControlSoftware {
   void feelMotion(const client::SensorFrame& sensors);
   void heedReferee(const client::GameInfo& game);
   void look(const client::SensorFrame& sensors);
+  void getBackOnFeet();
   std::size_t collectObstacles(const PlanarPose& X_FR);
   Situation gather(const client::SensorFrame& sensors);
   void moveJoints(const client::SensorFrame& sensors, const Play& play, client::CommandFrame& commands);

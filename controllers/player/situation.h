@@ -38,6 +38,7 @@ struct Situation {
   std::span<const Point> robots_R;             ///< other robots, seen or heard of
   std::span<const Point> obstacles_R;          ///< the same and the goal posts
 
+  bool fallen = false;   ///< the body lies or gets up
   bool settled = false;  ///< the body stands still
   bool kicking = false;
   WalkCommand velocity;  ///< at which the body walks now

@@ -93,6 +93,13 @@ void WalkingEngine::advance(double dt) {
   amplitude_ = approach(amplitude_, wants_steps ? 1.0 : 0.0, dt / (2 * parameters.period));
 }
 
+void WalkingEngine::halt() {
+  stop();
+  velocity_ = {};
+  amplitude_ = phase_ = stepping_time_ = 0;
+  filtered_rate_ = {};
+}
+
 JointAngles WalkingEngine::step(double dt, const Vector3& angular_velocity, bool feedback) {
   advance(dt);
   filtered_rate_ = angular_velocity * 0.3 + filtered_rate_ * 0.7;

@@ -49,6 +49,8 @@ class WalkingEngine {
   void walk(const WalkCommand& wanted) { wanted_ = wanted, wants_to_walk_ = true; }
   /// Wants to stand: velocity to zero, then amplitude to zero, then still.
   void stop() { wanted_ = {}, wants_to_walk_ = false; }
+  /// Stands at once: for a robot that has fallen.
+  void halt();
   /// Advances by dt [s]. angular_velocity: of the pelvis in its own axes [rad/s], used only with `feedback`.
   /// @return angles to command. Overwrites nothing else; no allocation.
   JointAngles step(double dt, const Vector3& angular_velocity, bool feedback);
