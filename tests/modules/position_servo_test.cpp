@@ -4,65 +4,18 @@
 
 #include <cmath>
 
-#include "modules/motion_world.h"
-#include "murosimf/robot/tree_builder.h"
+#include "modules/driven_wheel.h"
 
 namespace murosimf::motion {
 namespace {
 
 constexpr double kInertia = 0.02, kGain = 8, kDrag = 0.1, kStall = 2, kNoLoad = 10;  // [kg m^2], SI
 
-/// A wheel on a very heavy base.
-const RobotBlueprint& wheel() {
-  static const RobotBlueprint print = [] {
-    TreeBuilder builder;
-    const MassProperties rotor{1, {}, {kInertia, kInertia, kInertia, 0, 0, 0}};
-    const MassProperties anchor{1e9, {}, {1e9, 1e9, 1e9, 0, 0, 0}};
-    builder.base("base").body({"anchor", anchor}).revolute("axle", kAxisZ, {-3, 3, 100, 100}).body({"wheel", rotor});
-    RobotModel model;
-    model.name = "wheel";
-    model.tree = builder.build();
-    model.tree.joints[0].servo = ServoParameters{"test", kStall, kNoLoad, kGain, kDrag, 0, 0};
-    RobotBlueprint made{std::move(model), {}};
-    made.flat = flattenTree(made.model.tree);
-    return made;
-  }();
-  return print;
-}
-
-class DrivenWheel {
- public:
-  DrivenWheel(const std::string& integrator, double step, int lanes = 1) : step_(step) {
-    robot_ = addRobot(world_, "wheel", wheel(), Colour{});
-    static const OutsideAccess driver([](Declaration& d) { d.adds(kJointCommand, subset::kJoints); });
-    Linker linker(world_, registry_, LinkOptions{step, lanes});
-    for (const std::string& module : {std::string("servo_controller"), std::string("position_servo"),
-                                      std::string("tree_motion"), std::string("multibody_dynamics"), integrator}) {
-      linker.assign({robot_, module, {}, {}});
-    }
-    linker.attach({"driver", &driver, {robot_}});
-    Diagnostics diagnostics;
-    linked_ = linker.link(diagnostics);
-    if (linked_ == nullptr) throw std::runtime_error(diagnostics.text());
+struct DrivenWheel : Wheels {
+  DrivenWheel(const std::string& integrator, double step, int lanes = 1)
+      : Wheels({{.inertia = kInertia, .servo = {"test", kStall, kNoLoad, kGain, kDrag, 0, 0}}}, step) {
+    link(integrator, {{"servo_controller", {}}, {"position_servo", {}}}, lanes);
   }
-  void command(const ServoCommand& command) { linked_->handle(robot_, kJointCommand, subset::kJoints).set(command); }
-  void set(double q, double dq) {
-    linked_->handle(robot_, kJointPosition, subset::kJoints).set(q);
-    linked_->handle(robot_, kJointVelocity, subset::kJoints).set(dq);
-  }
-  double q() { return linked_->handle(robot_, kJointPosition, subset::kJoints).get(); }
-  double dq() { return linked_->handle(robot_, kJointVelocity, subset::kJoints).get(); }
-  void run(double seconds) {
-    for (const long end = frame_ + std::lround(seconds / step_); frame_ < end; ++frame_) linked_->runFrame(frame_);
-  }
-
- private:
-  double step_;
-  World world_;
-  ModuleRegistry registry_ = allModules();
-  ObjectId robot_;
-  std::unique_ptr<LinkedWorld> linked_;
-  long frame_ = 0;
 };
 
 TEST(PositionServo, SwingsLikeADampedOscillator) {

@@ -1,6 +1,7 @@
 #include "murosimf/modules/all_modules.h"
 
 #include "murosimf/modules/actuation/ideal_servo.h"
+#include "murosimf/modules/actuation/joint_limits.h"
 #include "murosimf/modules/actuation/position_servo.h"
 #include "murosimf/modules/actuation/servo_controller.h"
 #include "murosimf/modules/contact/ground_contact.h"
@@ -22,6 +23,8 @@ ModuleRegistry allModules() {
   all.add<IdealServo>("ideal_servo", "actuation", "servos that follow any command at their no-load speed");
   all.add<ServoController>("servo_controller", "electronics", "what position servos ask of their motors");
   all.add<PositionServo>("position_servo", "actuation", "position servos with the limits of their motors");
+  all.add<JointLimitStops>("joint_limits", "limits", "springs and dampers at the ends of the joints' ranges",
+                           JointLimitStops::parameters());
   all.add<KinematicWalking>("kinematic_walking", "motion", "the stance foot is pinned to the ground",
                             KinematicWalking::parameters());
   all.add<BodyPoses>("body_poses", "kinematics", "world poses of all bodies");
