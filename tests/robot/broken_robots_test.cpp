@@ -57,6 +57,7 @@ const std::vector<BrokenFile> kBrokenFiles{
       {15, "element <limit> is missing"},
       {17, "joints that follow others are not supported"},
       {18, "attribute \"damping\" is -1"},
+      {18, "attribute \"friction\" is -0.5, expected 0 or more"},
       {19, "\"MX-28\", which no <servo_type> has"},
       {21, "attribute \"name\" is missing"},
       {21, "element <child> is missing"}}},

@@ -1,6 +1,7 @@
 #include "murosimf/modules/all_modules.h"
 
 #include "murosimf/modules/actuation/ideal_servo.h"
+#include "murosimf/modules/actuation/joint_friction.h"
 #include "murosimf/modules/actuation/joint_limits.h"
 #include "murosimf/modules/actuation/position_servo.h"
 #include "murosimf/modules/actuation/servo_controller.h"
@@ -25,6 +26,7 @@ ModuleRegistry allModules() {
   all.add<PositionServo>("position_servo", "actuation", "position servos with the limits of their motors");
   all.add<JointLimitStops>("joint_limits", "limits", "springs and dampers at the ends of the joints' ranges",
                            JointLimitStops::parameters());
+  all.add<JointFriction>("joint_friction", "friction", "dry friction in joints", JointFriction::parameters());
   all.add<KinematicWalking>("kinematic_walking", "motion", "the stance foot is pinned to the ground",
                             KinematicWalking::parameters());
   all.add<BodyPoses>("body_poses", "kinematics", "world poses of all bodies");

@@ -54,6 +54,7 @@ void addJoints(World& world, ObjectId robot, const RobotBlueprint& b) {
       world.set(id, kServoDamping, joint.servo->kd, joint.where);
     }
     world.set(id, kJointDamping, joint.damping, joint.where);
+    world.set(id, kJointFriction, joint.friction, joint.where);
     world.set(id, kArmature, joint.servo ? joint.servo->armature : 0.0, joint.where);
   }
   world.defineSubset(robot, subset::kJoints, std::move(joints));
