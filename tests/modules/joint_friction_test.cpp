@@ -25,11 +25,10 @@ TEST(JointFriction, SlowsAWheelDownLinearly) {
   w.set(0, -5);
   w.run(0.9);
   EXPECT_NEAR(w.dq(), -0.5, 1e-9);  // -5 + f/J 0.9 s
-  constexpr double kStep = 1e-3;
-  RubbingWheel ahead("implicit_euler", kStep);
+  RubbingWheel ahead("implicit_euler", 1e-3);
   ahead.set(0, -5);
   ahead.run(0.9);
-  EXPECT_NEAR(ahead.dq() + 0.5, -kStep * kFriction / kInertia * std::log(5 / 0.5), 5e-4);
+  EXPECT_NEAR(ahead.dq(), -0.5, 3e-3);  // 0.0115 were friction to go by the speed of the moment
 }
 
 TEST(JointFriction, StopsAWheelForGood) {
