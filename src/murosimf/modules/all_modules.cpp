@@ -1,5 +1,7 @@
 #include "murosimf/modules/all_modules.h"
 
+#include "murosimf/modules/actuation/dc_motor.h"
+#include "murosimf/modules/actuation/gear_load.h"
 #include "murosimf/modules/actuation/ideal_servo.h"
 #include "murosimf/modules/actuation/joint_friction.h"
 #include "murosimf/modules/actuation/joint_limits.h"
@@ -24,6 +26,9 @@ ModuleRegistry allModules() {
   all.add<IdealServo>("ideal_servo", "actuation", "servos that follow any command at their no-load speed");
   all.add<ServoController>("servo_controller", "electronics", "what position servos ask of their motors");
   all.add<PositionServo>("position_servo", "actuation", "position servos with the limits of their motors");
+  all.add<DcMotor>("dc_motor", "actuation", "servos with a direct-current motor and the friction of their gear",
+                   DcMotor::parameters());
+  all.add<GearLoad>("gear_load", "load", "what loads the gears of the servos, for their friction");
   all.add<JointLimitStops>("joint_limits", "limits", "springs and dampers at the ends of the joints' ranges",
                            JointLimitStops::parameters());
   all.add<JointFriction>("joint_friction", "friction", "dry friction in joints", JointFriction::parameters());
