@@ -134,6 +134,17 @@ TEST(UrdfReader, NumbersAtTheServoGoBeforeThoseOfItsType) {
   EXPECT_EQ(r.model->joint_sensors[0].resolution, 0.01);
 }
 
+TEST(UrdfReader, ServosMayNameAParameterFile) {
+  for (const char* own : {"", " file='own.json'"}) {
+    const Reading r = read(
+        "<murosimf><servo_type name='MX-28' stall_torque='2.5' no_load_speed='6' kp='20' kd='0.4' file='mx28.json'/>"
+        "</murosimf>" +
+        withShoulder("continuous", "<murosimf><servo type='MX-28'" + std::string(own) + "/></murosimf>"));
+    ASSERT_TRUE(r.model.has_value()) << r.diagnostics.text();
+    EXPECT_EQ(r.model->tree.joints[0].servo->file, *own == 0 ? "mx28.json" : "own.json");
+  }
+}
+
 TEST(UrdfReader, JointWithoutServoMayHaveASensor) {
   const Reading r = read(withShoulder("continuous", "<murosimf><joint_sensor resolution='0.5'/></murosimf>"));
   ASSERT_TRUE(r.model.has_value()) << r.diagnostics.text();

@@ -1,6 +1,10 @@
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <system_error>
 
 #include "murosimf/scene/robot_reader.h"
+#include "murosimf/scene/text_tree.h"
 
 namespace murosimf {
 
@@ -37,6 +41,21 @@ fs::path findDataFile(const std::string& name, const fs::path& scenario) {
     if (fs::is_regular_file(folder / name, failed)) return (folder / name).lexically_normal();
   }
   return {};
+}
+
+std::string whereLooked(const std::string& name, const fs::path& scenario) {
+  const fs::path wanted(name.substr(0, name.find('\0')));
+  std::vector<std::string> folders, neighbours;
+  for (const fs::path& folder : dataFolders(scenario)) {
+    folders.push_back(folder.string());
+    std::error_code failed;
+    for (fs::directory_iterator at(folder / wanted.parent_path(), failed), end; !failed && at != end;
+         at.increment(failed))
+      neighbours.push_back((wanted.parent_path() / at->path().filename()).string());
+  }
+  std::sort(neighbours.begin(), neighbours.end());
+  return fmt::format("\"{}\", looked for from {}{}", printable(name), fmt::join(folders, ", "),
+                     didYouMean(name, neighbours));
 }
 
 }  // namespace murosimf

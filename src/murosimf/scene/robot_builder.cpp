@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "murosimf/modules/actuation/motor_properties.h"
 #include "murosimf/world/vocabulary.h"
 
 namespace murosimf {
@@ -52,6 +53,7 @@ void addJoints(World& world, ObjectId robot, const RobotBlueprint& b) {
       world.set(id, kStallTorque, joint.servo->stall_torque, joint.where);
       world.set(id, kServoStiffness, joint.servo->kp, joint.where);
       world.set(id, kServoDamping, joint.servo->kd, joint.where);
+      if (!joint.servo->file.empty()) world.set(id, kServoFile, joint.servo->file, joint.where);
     }
     world.set(id, kJointDamping, joint.damping, joint.where);
     world.set(id, kJointFriction, joint.friction, joint.where);

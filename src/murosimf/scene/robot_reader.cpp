@@ -56,23 +56,8 @@ class RobotReader {
       return;
     }
     robot.file_found = findDataFile(*robot.file, scenario_);
-    if (robot.file_found.empty()) refuseFile(robot);
-  }
-
-  void refuseFile(const RobotSettings& robot) {
-    const fs::path wanted(robot.file->substr(0, robot.file->find('\0')));
-    std::vector<std::string> folders, neighbours;
-    for (const fs::path& folder : dataFolders(scenario_)) {
-      folders.push_back(folder.string());
-      std::error_code failed;
-      for (fs::directory_iterator at(folder / wanted.parent_path(), failed), end; !failed && at != end;
-           at.increment(failed))
-        neighbours.push_back((wanted.parent_path() / at->path().filename()).string());
-    }
-    std::sort(neighbours.begin(), neighbours.end());
-    problems_.error(robot.file.where,
-                    fmt::format("there is no robot file \"{}\", looked for from {}{}", printable(*robot.file),
-                                fmt::join(folders, ", "), didYouMean(*robot.file, neighbours)));
+    if (robot.file_found.empty())
+      problems_.error(robot.file.where, "there is no robot file " + whereLooked(*robot.file, scenario_));
   }
 
   void readPoses(RobotSettings& robot) {

@@ -27,5 +27,7 @@ RobotSettings readRobot(const TextNode& table, RobotTable kind, std::string_view
 std::vector<std::filesystem::path> dataFolders(const std::filesystem::path& scenario);
 /// The first existing file of that name, or an empty path.
 std::filesystem::path findDataFile(const std::string& name, const std::filesystem::path& scenario);
+/// For messages: the name, where it was looked for in vain, and the nearest file there.
+std::string whereLooked(const std::string& name, const std::filesystem::path& scenario);
 
 }  // namespace murosimf

@@ -7,6 +7,7 @@
 
 #include <stdexcept>
 
+#include "murosimf/modules/actuation/motor_properties.h"
 #include "murosimf/robot/urdf_reader.h"
 #include "murosimf/world/vocabulary.h"
 
@@ -21,7 +22,7 @@ Colour markColour(const std::string& team) {
 }
 
 WorldBuilder::WorldBuilder(const Scene& scene, Diagnostics& diagnostics)
-    : scene_(scene), diagnostics_(diagnostics), world_(std::make_shared<World>()) {
+    : scene_(scene), diagnostics_(diagnostics), servos_(diagnostics), world_(std::make_shared<World>()) {
   addSurfaces();
   addRobots();
   if (*scene.ball.present) addBall();
@@ -78,6 +79,7 @@ void WorldBuilder::addRobots() {
     outfit.id = addRobot(*world_, robot.path(), *print, markColour(robot.team));
     participants_.robots.push_back(outfit.id);
     for (const NamedValue& property : robot.properties) setProperty(robot, property);
+    servos_.apply(*world_, outfit.id, robot.file_found.string());
     sumMass(outfit.id);
   }
 }
@@ -147,7 +149,7 @@ void WorldBuilder::addBall() {
 
 std::unique_ptr<Simulation> WorldBuilder::link(const ModuleRegistry& registry, const ControlPrograms& programs) {
   Linker linker(*world_, registry, {*scene_.simulation.frame, *scene_.simulation.lanes});
-  linker.alsoKnows({std::string(kMass.name), std::string(kBlockingRadius.name)});
+  linker.alsoKnows({std::string(kMass.name), std::string(kBlockingRadius.name), std::string(kServoFile.name)});
   const bool chosen = assignModules(linker, registry);
   for (Outfit& outfit : outfits_) {
     chooseCameras(outfit);

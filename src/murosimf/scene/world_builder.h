@@ -19,6 +19,7 @@
 #include "murosimf/scene/module_choice.h"
 #include "murosimf/scene/robot_builder.h"
 #include "murosimf/scene/scene.h"
+#include "murosimf/scene/servo_builder.h"
 #include "murosimf/simulation/simulation.h"
 
 namespace murosimf {
@@ -65,6 +66,7 @@ class WorldBuilder {
 
   const Scene& scene_;
   Diagnostics& diagnostics_;
+  ServoBuilder servos_;
   std::shared_ptr<World> world_;
   Participants participants_;
   std::map<std::string, std::unique_ptr<RobotBlueprint>> blueprints_;
