@@ -120,12 +120,13 @@ class Wheels {
   long frame_ = 0;
 };
 
-/// Runs the same wheels scalar, in fours and in eights (in fours again where the processor has no AVX-512), all moved
-/// by `drive`, and expects the same positions and velocities to the bit.
-template <class Drive>
+/// Runs the same wheels scalar, in fours and in eights (in fours again where the processor has no AVX-512), all
+/// furnished by `prepare` and moved by `drive`, and expects the same positions and velocities to the bit.
+template <class Drive, class Prepare>
 void expectLanesEqualScalar(const std::vector<WheelData>& data, const std::string& integrator,
-                            const Wheels::Modules& modules, Drive&& drive) {
+                            const Wheels::Modules& modules, Drive&& drive, Prepare&& prepare) {
   Wheels scalar(data, 1e-3), four(data, 1e-3), eight(data, 1e-3);
+  for (Wheels* w : {&scalar, &four, &eight}) prepare(*w);
   scalar.link(integrator, modules, 1), four.link(integrator, modules, 4), eight.link(integrator, modules, 8);
   for (Wheels* w : {&scalar, &four, &eight}) drive(*w);
   for (std::size_t i = 0; i < data.size(); ++i) {
@@ -135,6 +136,12 @@ void expectLanesEqualScalar(const std::vector<WheelData>& data, const std::strin
     EXPECT_EQ(eight.q(i), scalar.q(i)) << i;
     EXPECT_EQ(eight.dq(i), scalar.dq(i)) << i;
   }
+}
+
+template <class Drive>
+void expectLanesEqualScalar(const std::vector<WheelData>& data, const std::string& integrator,
+                            const Wheels::Modules& modules, Drive&& drive) {
+  expectLanesEqualScalar(data, integrator, modules, drive, [](Wheels&) {});
 }
 
 }  // namespace murosimf::motion

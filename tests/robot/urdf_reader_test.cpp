@@ -134,6 +134,19 @@ TEST(UrdfReader, NumbersAtTheServoGoBeforeThoseOfItsType) {
   EXPECT_EQ(r.model->joint_sensors[0].resolution, 0.01);
 }
 
+TEST(UrdfReader, ServosMayHaveBacklash) {
+  const std::string type =
+      "<servo_type name='MX-28' stall_torque='2.5' no_load_speed='6' kp='20' kd='0.4' backlash='0.0058'/>";
+  const auto robot = [&](const char* own) {
+    const std::string servo = "<murosimf><servo type='MX-28'" + std::string(own) + "/></murosimf>";
+    return read("<murosimf>" + type + "</murosimf>" + withShoulder("continuous", servo));
+  };
+  EXPECT_EQ(robot("").model->tree.joints[0].servo->backlash, 0.0058);
+  EXPECT_EQ(robot(" backlash='0'").model->tree.joints[0].servo->backlash, 0);
+  EXPECT_NE(robot(" backlash='-1'").diagnostics.text().find("backlash is -1 rad, expected 0 or more"),
+            std::string::npos);
+}
+
 TEST(UrdfReader, ServosMayNameAParameterFile) {
   for (const char* own : {"", " file='own.json'"}) {
     const Reading r = read(

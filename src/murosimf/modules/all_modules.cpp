@@ -24,7 +24,8 @@ namespace murosimf {
 ModuleRegistry allModules() {
   ModuleRegistry all;
   all.add<IdealServo>("ideal_servo", "actuation", "servos that follow any command at their no-load speed");
-  all.add<ServoController>("servo_controller", "electronics", "what position servos ask of their motors");
+  all.add<ServoController>("servo_controller", "electronics", "what position servos ask of their motors",
+                           ServoController::parameters());
   all.add<PositionServo>("position_servo", "actuation", "position servos with the limits of their motors");
   all.add<DcMotor>("dc_motor", "actuation", "servos with a direct-current motor and the friction of their gear",
                    DcMotor::parameters());

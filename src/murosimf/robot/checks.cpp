@@ -50,6 +50,7 @@ std::string servoProblem(const ServoParameters& servo) {
   if (!notNegative(servo.armature)) return fmt::format("armature is {:g} kg m^2, expected 0 or more", servo.armature);
   if (!notNegative(servo.resolution))
     return fmt::format("resolution is {:g} rad, expected 0 or more", servo.resolution);
+  if (!notNegative(servo.backlash)) return fmt::format("backlash is {:g} rad, expected 0 or more", servo.backlash);
   return "";
 }
 

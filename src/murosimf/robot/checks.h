@@ -18,7 +18,7 @@ std::string shapeProblem(const BodyShape& shape);
 /// lower <= upper, largest values positive; infinite is allowed, NaN is not.
 std::string limitsProblem(const JointLimits& limits);
 
-/// Stall torque, no-load speed and kp positive; kd, armature and resolution not negative; all finite.
+/// Stall torque, no-load speed and kp positive; kd, armature, resolution and backlash not negative; all finite.
 std::string servoProblem(const ServoParameters& servo);
 
 /// A name is a word of at most 100 letters, digits, `_` and `-`, so that paths and lists of names need no quotes.

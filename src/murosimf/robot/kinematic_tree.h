@@ -65,6 +65,7 @@ struct ServoParameters {
   double kd = 0;             ///< [N m s/rad]
   double armature = 0;       ///< rotor inertia seen at the joint [kg m^2]
   double resolution = 0;     ///< of the angle that it reports [rad]; 0: exact
+  double backlash = 0;       ///< play between servo and joint [rad]
   std::string file{};        ///< of more parameters, read when a world is built; empty: none
   friend bool operator==(const ServoParameters&, const ServoParameters&) = default;
 };

@@ -60,7 +60,7 @@ void readDynamics(const XmlElement& element, Joint& joint) {
 /// Numbers that stand at the servo itself go before those of its type.
 void readServo(const XmlElement& servo, const RobotPart& robot, Joint& joint) {
   const int before = servo.diagnostics().errorCount();
-  servo.accept({"type", "kp", "kd", "armature", "resolution", "stall_torque", "no_load_speed", "file"});
+  servo.accept({"type", "kp", "kd", "armature", "resolution", "stall_torque", "no_load_speed", "backlash", "file"});
   const std::string type = servo.text("type");
   const auto found = robot.servo_types.find(type);
   if (found == robot.servo_types.end()) {
@@ -77,6 +77,7 @@ void readServo(const XmlElement& servo, const RobotPart& robot, Joint& joint) {
   parameters.kd = servo.number("kd", parameters.kd);
   parameters.armature = servo.number("armature", parameters.armature);
   parameters.resolution = servo.number("resolution", parameters.resolution);
+  parameters.backlash = servo.number("backlash", parameters.backlash);
   parameters.file = servo.text("file", parameters.file);
   if (servo.diagnostics().errorCount() == before) servo.check(servoProblem(parameters));
   joint.servo = parameters;

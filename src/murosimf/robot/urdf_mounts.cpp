@@ -132,7 +132,7 @@ PressureSensorMount readPressureSensor(const XmlElement& element, const LinkPart
 
 void readServoType(const XmlElement& element, RobotPart& robot) {
   const int before = element.diagnostics().errorCount();
-  element.accept({"name", "stall_torque", "no_load_speed", "kp", "kd", "armature", "resolution", "file"});
+  element.accept({"name", "stall_torque", "no_load_speed", "kp", "kd", "armature", "resolution", "backlash", "file"});
   ServoParameters servo{.type = element.text("name"),
                         .stall_torque = element.number("stall_torque"),
                         .no_load_speed = element.number("no_load_speed"),
@@ -140,6 +140,7 @@ void readServoType(const XmlElement& element, RobotPart& robot) {
                         .kd = element.number("kd"),
                         .armature = element.number("armature", 0),
                         .resolution = element.number("resolution", 0),
+                        .backlash = element.number("backlash", 0),
                         .file = element.text("file", "")};
   if (element.diagnostics().errorCount() == before) element.check(servoProblem(servo));
   if (!servo.type.empty() && !robot.servo_types.emplace(servo.type, servo).second) {

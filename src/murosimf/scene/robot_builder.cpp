@@ -53,6 +53,8 @@ void addJoints(World& world, ObjectId robot, const RobotBlueprint& b) {
       world.set(id, kStallTorque, joint.servo->stall_torque, joint.where);
       world.set(id, kServoStiffness, joint.servo->kp, joint.where);
       world.set(id, kServoDamping, joint.servo->kd, joint.where);
+      world.set(id, kEncoderResolution, joint.servo->resolution, joint.where);
+      world.set(id, kBacklash, joint.servo->backlash, joint.where);
       if (!joint.servo->file.empty()) world.set(id, kServoFile, joint.servo->file, joint.where);
     }
     world.set(id, kJointDamping, joint.damping, joint.where);

@@ -70,6 +70,8 @@ inline constexpr Constant<double> kServoDamping{"servo_kd", "N m s/rad", "torque
 inline constexpr Constant<double> kArmature{"armature", "kg m^2", "rotor inertia seen at the joint"};
 inline constexpr Constant<double> kJointDamping{"joint_damping", "N m s/rad", "viscous friction of the joint"};
 inline constexpr Constant<double> kJointFriction{"joint_friction", "N m", "dry friction of the joint"};
+inline constexpr Constant<double> kEncoderResolution{"encoder_resolution", "rad", "step of the servo's own angle"};
+inline constexpr Constant<double> kBacklash{"backlash", "rad", "play between the servo and its joint"};
 inline constexpr Constant<double> kBlockingRadius{"blocking_radius", "m",
                                                   "radius of the upright cylinder that kinematic robots keep clear of"};
 // Constants of single bodies.

@@ -45,6 +45,7 @@ void DcMotor::declare(Declaration& d) const {
   }
   d.uses(kLargestDuty, kDefaultDuty, subset::kJoints);
   d.uses(kLargestCurrent, kNoCurrentLimit, subset::kJoints);
+  d.uses(kBacklash, 0.0, subset::kJoints);
   d.uses(kFrictionViscous, 0.0, subset::kJoints);
   kGear.mapped([&](const Constant<double>* constant) {
     const bool speed = constant == &kFrictionSpeed, exponent = constant == &kFrictionExponent;
@@ -73,7 +74,7 @@ void DcMotor::link(Links& links) {
   a.supply = column(kSupplyVoltage);
   a.firmware_gain = column(kFirmwareGain), a.error_gain = column(kErrorGain);
   a.largest_duty = column(kLargestDuty), a.largest_current = column(kLargestCurrent);
-  a.viscous = column(kFrictionViscous);
+  a.backlash = column(kBacklash), a.viscous = column(kFrictionViscous);
   a.friction = kGear.mapped([&](const Constant<double>* constant) { return column(*constant); });
   a.torque = column(kJointTorque), a.inertia = column(kJointInertia);
   a.motor_torque = column(kMotorTorque), a.motor_inertia = column(kMotorInertia);

@@ -11,6 +11,7 @@
 /// Gear       friction algorithms/gear_friction.h with tau, the gear_load of the step before and dq, as dry_friction.h
 ///            puts it on the joint, and -friction_viscous dq. The joint's armature is the rotor's inertia.
 ///            [Duclusaud et al. 2025]; parameters as their program `bam` identifies them.
+/// Play       backlash of the joint: gear_play.h. Within it nothing of motor and gear reaches the joint.
 /// Looks ahead For a step h, q and dq are those at its end, q + h (dq + h ddq) and dq + h ddq; what depends on ddq
 ///            counts as inertia at the joint: h k^2/R of the back EMF, h^2 k/R error_gain firmware_kp U of the
 ///            controller where no limit holds it, and friction's.

@@ -9,6 +9,7 @@ void PositionServo::declare(Declaration& d) const {
   d.runsIn(Phase::kEvaluate);
   d.needs(kStallTorque, subset::kJoints);
   d.needs(kLargestVelocity, subset::kJoints);
+  d.uses(kBacklash, 0.0, subset::kJoints);
   d.reads(kServoDemand, subset::kJoints);
   d.reads(kJointPosition, subset::kJoints);
   d.reads(kJointVelocity, subset::kJoints);
@@ -23,6 +24,7 @@ void PositionServo::link(Links& links) {
                 links.column(kJointVelocity, subset::kJoints),
                 links.column(kStallTorque, subset::kJoints),
                 links.column(kLargestVelocity, subset::kJoints),
+                links.column(kBacklash, subset::kJoints),
                 links.column(kJointTorque, subset::kJoints),
                 links.column(kJointInertia, subset::kJoints)};
   kernel_ = kernelOfWidth<PositionServoArguments>(links.width());

@@ -8,6 +8,7 @@
 ///            For a step h that looks ahead q and dq are those at its end, q + h (dq + h ddq) and dq + h ddq; what
 ///            depends on ddq counts as inertia h kd + h^2 kp at the joint, so gains of any size are stable. A joint at
 ///            its limit pushes with that limit.
+/// Play       backlash of the joint: gear_play.h.
 /// Phase      kEvaluate.
 /// Adds to    joint_torque, joint_inertia.
 /// Cost       about 20 operations a joint.
