@@ -27,13 +27,17 @@ struct WheelData {
   JointLimits limits{-3, 3, 100, 100};
   ServoParameters servo{};  ///< kp of 0: none
   double damping = 0, friction = 0;
+  bool slides = false;  ///< on a rail: positions in m, forces in N, the rim's mass of 1 kg
 };
 
 inline RobotBlueprint wheelOf(const WheelData& data) {
   TreeBuilder builder;
   const double I = data.inertia;
   const MassProperties rim{1, {}, {I, I, I, 0, 0, 0}}, anchor{1e9, {}, {1e9, 1e9, 1e9, 0, 0, 0}};
-  builder.base("base").body({"anchor", anchor}).revolute("axle", kAxisZ, data.limits).body({"wheel", rim});
+  const TreePlace base = builder.base("base").body({"anchor", anchor});
+  const TreePlace axle =
+      data.slides ? base.prismatic("axle", kAxisZ, data.limits) : base.revolute("axle", kAxisZ, data.limits);
+  axle.body({"wheel", rim});
   RobotModel model;
   model.name = "wheel";
   model.tree = builder.build();

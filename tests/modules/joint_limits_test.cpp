@@ -96,6 +96,15 @@ TEST(JointLimits, HaveTheirOwnStiffnessWhereOneIsWritten) {
   EXPECT_NEAR(w.q(), 1 + 2.0 / 50, 1e-9);
 }
 
+TEST(JointLimits, HoldSlidersToo) {
+  Wheels w({{.limits = {-1, 1, 100, 100}, .slides = true}}, 1e-3);  // its base falls with it: only the push is felt
+  w.link("implicit_euler", {{"joint_limits", {{"damping_ratio", written(30)}}}, {"push", {{"torque", written(-2)}}}});
+  w.set(-0.9, 0);
+  w.run(4);
+  EXPECT_NEAR(w.q(), -1 - 2 * kGive, 1e-6);  // a stop for 1 N where there is no servo
+  EXPECT_NEAR(w.dq(), 0, 1e-6);
+}
+
 TEST(JointLimits, OfJointsWithoutLimitsAreNowhere) {
   Wheels w({{.inertia = kInertia, .limits = {}}}, 1e-3);
   w.link("implicit_euler", {{"joint_limits", {}}});

@@ -11,6 +11,7 @@
 /// Damping    limit_damping of the joint; where there is none c = 2 damping_ratio sqrt(k armature) with an armature of
 ///            1e-3 kg m^2 at least: the ratio that the bare rotor has at its stop. A link makes it less, so that a limb
 ///            bounces a little.
+/// Sliders    the same with m and N in the place of rad and N m.
 /// Phase      kEvaluate.
 /// Adds to    joint_torque, joint_inertia.
 /// Cost       about 5 operations a joint within its range, 15 and a square root at a stop.
