@@ -76,6 +76,17 @@ TEST(DcMotor, AddsTheTorqueOfACommandToThatOfItsPosition) {
   EXPECT_NEAR(w.q(), 0.5 + 1.2 / (kK / kR * kSupply * kGain), 1e-9);
 }
 
+TEST(GearLoad, IsWhatTheLinkPutsOnTheGear) {
+  constexpr double kPush = -0.7, kLink = 0.03;
+  MotorWheel w("implicit_euler", 1e-3, {.inertia = kLink}, {{&kFrictionBase, 0.2}, {&kFrictionViscous, 0.05}}, kPush);
+  w.command({0.4, 0, 0, 1, 0});
+  for (int i = 0; i < 300; ++i) {
+    const double before = w.dq();
+    w.step();
+    EXPECT_NEAR(w.of(kGearLoad).get(), kPush - kLink * (w.dq() - before) / 1e-3, 1e-8) << i;
+  }
+}
+
 struct LongStep {
   double step, gain;  ///< [s, 1/rad]
 };

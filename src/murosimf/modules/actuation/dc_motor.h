@@ -16,8 +16,8 @@
 ///            counts as inertia at the joint: h k^2/R of the back EMF, h^2 k/R error_gain firmware_kp U of the
 ///            controller where no limit holds it, and friction's.
 /// Limits     The supply does not sag, the winding neither heats nor has an inductance. Which bound holds is told from
-/// q + h dq. A light joint whose controller turns its voltage over within a
-///            step hunts: seen from 20/rad at 20 ms on, not at 10 ms up to 100/rad (servos have about 5/rad).
+///            q + h dq: a light joint whose controller turns its voltage over within a step hunts, seen from 20/rad at
+///            20 ms on, not at 10 ms up to 100/rad (servos have about 5/rad).
 /// Phase      kEvaluate.
 /// Adds to    joint_torque, joint_inertia.  Adds motor_torque, motor_inertia: its own share of them.
 /// Cost       about 60 operations a joint; an exponential and a power more for friction with a Stribeck effect.
