@@ -57,6 +57,34 @@ TEST(ServoBuilder, TheCommandLineMayNameAFile) {
   EXPECT_EQ(constantOf(built, "knee_left", kTorqueConstant), 1.6225);
 }
 
+TEST(ServoBuilder, ARobotOfLevelFullRunsOnMotors) {
+  BuiltWorld built(kTwoRobots + R"(
+[robots.red.1.properties]
+servo_file = "robots/servos/mx64_m4.json"
+[robots.all]
+level = "full"
+[robots.red.1.modules]
+gear_load = {}
+joint_limits = {}
+joint_friction = {}
+[robots.red.1.electronics]
+encoder_steps = 1
+delay_steps = 5
+[robots.red.1.actuation]
+module = "dc_motor"
+)");
+  const auto simulation = built.simulation();
+  for (int i = 0; i < 50; ++i) simulation->step();
+  const auto load = simulation->linked().handle(simulation->world().find("robots.red.1"), kGearLoad, subset::kJoints);
+  const auto joints = built.builder.describe(built.scene.robots.front()).joints;
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    if (joints[j].name != "knee_right") continue;
+    EXPECT_GT(std::abs(load.get(static_cast<int>(j))), 1e-3);  // it bears weight
+    return;
+  }
+  FAIL() << "no knee";
+}
+
 /// KS21 in a folder of its own, where servo type RX-64, that of its knees, names a file beside it.
 class ServoTypeWithFile : public testing::Test {
  protected:
