@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "modules/single_body.h"
+#include "murosimf/modules/sensing/joint_torque_sensor.h"
 
 namespace murosimf::motion {
 namespace {
@@ -79,6 +80,25 @@ TEST(FootPressure, OfAStandingRobotIsItsWeightAndItsCentreLiesUnderTheCentreOfMa
   EXPECT_NEAR(sum, mass * kG, 1e-3 * mass * kG);
   EXPECT_NEAR(centre_of_pressure.x / sum, first.x / mass, 2e-4);
   EXPECT_NEAR(centre_of_pressure.y / sum, first.y / mass, 2e-4);
+}
+
+TEST(JointTorqueSensor, OfAStandingRobotHoldsWhatHangsOnTheJoints) {
+  DynamicWorld world(1e-3);
+  const ObjectId robot = world.add("robot", ks21(), gait(0, {}, 0));
+  DynamicLevel level = multibody();
+  level.modules.emplace_back("joint_torque_sensor");
+  world.link(level);
+  world.run(3);
+  // At rest each servo's torque is its gain times how far it gives way; the elbow carries its forearm alone.
+  const std::vector<double> wanted = gait(0, {}, 0);
+  for (int j = 0; j < 21; ++j) {
+    const ObjectId joint = world.world().members(robot, subset::kJoints)[static_cast<std::size_t>(j)];
+    const double gain = *world.world().find(joint, kServoStiffness);
+    const double error = wanted[static_cast<std::size_t>(j)] - world.get(robot, kJointPosition, subset::kJoints, j);
+    EXPECT_NEAR(world.get(robot, kMeasuredTorque, subset::kJoints, j), gain * error, 2e-4) << j;
+  }
+  const double knee = world.get(robot, kMeasuredTorque, subset::kJoints, 12);
+  EXPECT_NEAR(std::fabs(knee), 0.62, 0.08);  // ks21's table of torques: walk-ready, two legs
 }
 
 }  // namespace

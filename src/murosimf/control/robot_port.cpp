@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "murosimf/modules/sensing/joint_torque_sensor.h"
+
 namespace murosimf {
 
 namespace {
@@ -22,6 +24,7 @@ const OutsideAccess& RobotPort::robotAccess() {
     d.adds(kJointCommand, subset::kJoints);
     d.reads(kJointPosition, subset::kJoints);
     d.reads(kJointVelocity, subset::kJoints);
+    d.readsIfAdded(kMeasuredTorque, subset::kJoints);
     d.readsIfAdded(kSoleClearance, subset::kSoles);
     d.readsIfAdded(kSolePressure, subset::kSoles);
     d.readsIfAdded(kGyroscope);
@@ -36,6 +39,7 @@ RobotPort::RobotPort(LinkedWorld& linked, ObjectId robot, client::RobotDescripti
       command_(linked.handle(robot, kJointCommand, subset::kJoints)),
       position_(linked.handle(robot, kJointPosition, subset::kJoints)),
       velocity_(linked.handle(robot, kJointVelocity, subset::kJoints)),
+      torque_(linked.handle(robot, kMeasuredTorque, subset::kJoints)),
       clearance_(linked.handle(robot, kSoleClearance, subset::kSoles)),
       pressure_(linked.handle(robot, kSolePressure, subset::kSoles)),
       gyroscope_(linked.handle(robot, kGyroscope)),
@@ -45,7 +49,7 @@ RobotPort::RobotPort(LinkedWorld& linked, ObjectId robot, client::RobotDescripti
 void RobotPort::readSensors(double t, client::SensorFrame& sensors) {
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const int joint = static_cast<int>(i);
-    joints_[i] = {position_.get(joint), velocity_.get(joint), 0.0};
+    joints_[i] = {position_.get(joint), velocity_.get(joint), torque_.valid() ? torque_.get(joint) : 0.0};
   }
   sensors.time = t;
   sensors.joints = joints_;

@@ -36,7 +36,7 @@ class RobotPort {
   ObjectId robot_;
   client::RobotDescription description_;
   Handle<ServoCommand> command_;
-  Handle<double> position_, velocity_, clearance_;
+  Handle<double> position_, velocity_, torque_, clearance_;
   Handle<CornerForces<>> pressure_;  // of soles
   Handle<Vector3> gyroscope_, accelerometer_;
   std::vector<client::JointReading> joints_;

@@ -18,6 +18,7 @@
 #include "murosimf/modules/sensing/dynamic_inertial_sensor.h"
 #include "murosimf/modules/sensing/foot_pressure.h"
 #include "murosimf/modules/sensing/inertial_sensor.h"
+#include "murosimf/modules/sensing/joint_torque_sensor.h"
 
 namespace murosimf {
 
@@ -53,6 +54,7 @@ ModuleRegistry allModules() {
   all.add<InertialSensor>("inertial_sensor", "sensing", "gyroscope and accelerometer from how the body moved");
   all.add<DynamicInertialSensor>("dynamic_inertial_sensor", "sensing", "gyroscope and accelerometer from the dynamics");
   all.add<FootPressure>("foot_pressure", "pressure", "forces under the four corners of each sole");
+  all.add<JointTorqueSensor>("joint_torque_sensor", "torque", "what servo, friction and stops gave each joint");
   return all;
 }
 

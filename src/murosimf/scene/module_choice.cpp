@@ -20,7 +20,8 @@ constexpr Slot kKinematicSlots[] = {{"actuation", "ideal_servo"},
 constexpr Slot kMultibodySlots[] = {
     {"electronics", "servo_controller"},  {"velocities", "tree_motion"},     {"actuation", "position_servo"},
     {"contact", "hunt_crossley_contact"}, {"motion", "multibody_dynamics"},  {"sensing", "dynamic_inertial_sensor"},
-    {"pressure", "foot_pressure"},        {"integration", "implicit_euler"}, {"kinematics", "body_poses"}};
+    {"pressure", "foot_pressure"},        {"torque", "joint_torque_sensor"}, {"limits", "joint_limits"},
+    {"integration", "implicit_euler"},    {"kinematics", "body_poses"}};
 /// A level of detail: a motion module, and the modules that go with it.
 struct Level {
   std::string_view name, motion;

@@ -15,7 +15,7 @@ namespace murosimf {
 /// Slots of a robot that take one module each.
 inline constexpr std::string_view kModuleSlots[] = {"motion",     "electronics", "actuation", "velocities",
                                                     "kinematics", "collision",   "contact",   "integration",
-                                                    "sensing",    "pressure"};
+                                                    "sensing",    "pressure",    "torque",    "limits"};
 
 /// Brings the tables of robots and teams into one form: modules given by name become tables, properties get their
 /// dotted names, poses in arrays become tables. Works on a scenario's tree and on a tree of `--set`; leaves what has

@@ -115,6 +115,8 @@ constexpr ScenarioKey kKeys[] = {
     plainKey(kRobot, "integration", kModule, "", "module; default: the level's"),
     plainKey(kRobot, "sensing", kModule, "", "module; default: the level's"),
     plainKey(kRobot, "pressure", kModule, "", "module; default: the level's"),
+    plainKey(kRobot, "torque", kModule, "", "module; default: the level's"),
+    plainKey(kRobot, "limits", kModule, "", "module; default: the level's"),
     plainKey(kRobot, "modules", kTable, "", "further modules by name, `modules.NAME = {PARAMETER = VALUE}`"),
     plainKey(kRobot, "cameras", kTable, "", "per camera of the robot file a module, `ray_caster` or `none`"),
     plainKey(kRobot, "control", kModule, "\"none\"", "control software: `player`, `none` or {program = ...}"),
