@@ -56,9 +56,9 @@ struct ArticulatedBody {
 
 /// c = V x S dq: how the turning of the body changes the joint's own motion.
 template <class Joint, class S>
-inline SpatialMotion<S> jointBias(const SpatialMotion<S>& velocity, S rate) {
+MUROSIMF_INLINE SpatialMotion<S> jointBias(const SpatialMotion<S>& velocity, S rate) {
   constexpr int B = (Joint::kAxis + 1) % 3, C = (Joint::kAxis + 2) % 3;
-  const auto crossAxis = [&](const Vec3<S>& a) {
+  const auto crossAxis = [&](const Vec3<S>& a) MUROSIMF_INLINE_LAMBDA {
     Vec3<S> result{S(0), S(0), S(0)};
     component<B>(result) = component<C>(a) * rate;
     component<C>(result) = -(component<B>(a) * rate);
@@ -70,7 +70,7 @@ inline SpatialMotion<S> jointBias(const SpatialMotion<S>& velocity, S rate) {
 
 /// U = IA S: one column of the inertia.
 template <class Joint, class S>
-inline SpatialForce<S> alongAxis(const ArticulatedInertia<S>& a) {
+MUROSIMF_INLINE SpatialForce<S> alongAxis(const ArticulatedInertia<S>& a) {
   constexpr int A = Joint::kAxis;
   const auto& H = a.H.e;
   if constexpr (Joint::kPrismatic)
@@ -80,8 +80,8 @@ inline SpatialForce<S> alongAxis(const ArticulatedInertia<S>& a) {
 
 /// a -= U W^T, W = U D^-1.
 template <class S>
-inline void subtract(ArticulatedInertia<S>& a, const SpatialForce<S>& U, const SpatialForce<S>& W) {
-  const auto symmetric = [](Symmetric3<S>& m, const Vec3<S>& u, const Vec3<S>& w) {
+MUROSIMF_INLINE void subtract(ArticulatedInertia<S>& a, const SpatialForce<S>& U, const SpatialForce<S>& W) {
+  const auto symmetric = [](Symmetric3<S>& m, const Vec3<S>& u, const Vec3<S>& w) MUROSIMF_INLINE_LAMBDA {
     m.xx = fnma(u.x, w.x, m.xx), m.yy = fnma(u.y, w.y, m.yy), m.zz = fnma(u.z, w.z, m.zz);
     m.xy = fnma(u.x, w.y, m.xy), m.xz = fnma(u.x, w.z, m.xz), m.yz = fnma(u.y, w.z, m.yz);
   };
@@ -97,14 +97,14 @@ inline void subtract(ArticulatedInertia<S>& a, const SpatialForce<S>& U, const S
 
 /// pA of a body by itself: what its turning costs, less what pushes it.
 template <class S>
-inline SpatialForce<S> bodyBias(const ArticulatedBody<S>& c, int i) {
+MUROSIMF_INLINE SpatialForce<S> bodyBias(const ArticulatedBody<S>& c, int i) {
   return cross(c.velocity[i], c.inertia[i] * c.velocity[i]) - c.force[i];
 }
 
 /// Body i and all that hangs on it, complete; then what its parent gets of it.
 template <class Joint, class S>
-inline void handInward(const ArticulatedBody<S>& c, int i, const GatherRow& gather, const Joint& joint,
-                       ArticulatedInertia<S> IA, const SpatialForce<S>& pA) {
+MUROSIMF_INLINE void handInward(const ArticulatedBody<S>& c, int i, const GatherRow& gather, const Joint& joint,
+                                ArticulatedInertia<S> IA, const SpatialForce<S>& pA) {
   const SpatialForce<S> U = alongAxis<Joint>(IA);
   const S over_D = S(1) / (joint.along(U) + c.joint_inertia[i - 1]);
   const SpatialForce<S> W = U * over_D;
@@ -126,7 +126,7 @@ inline void handInward(const ArticulatedBody<S>& c, int i, const GatherRow& gath
 /// Inward from body `last` to the base, whose acceleration it finds. `fold(i, IA, pA)` may add to body i an inertia K
 /// and the force that goes with it.
 template <class S, class Fold>
-inline void articulatedInward(const ArticulatedTree& tree, const ArticulatedBody<S>& c, Fold&& fold) {
+MUROSIMF_INLINE void articulatedInward(const ArticulatedTree& tree, const ArticulatedBody<S>& c, Fold&& fold) {
   for (int i = tree.bodies - 1; i >= 0; --i) {
     const GatherRow gather = tree.gather[i];
     ArticulatedInertia<S> IA = articulated(c.inertia[i]);
@@ -136,17 +136,18 @@ inline void articulatedInward(const ArticulatedTree& tree, const ArticulatedBody
     if (i == 0) {
       c.acceleration[0] = solved(IA, pA) * S(-1);
     } else {
-      forJoint<S>(tree.rows[i], c.turn[i - 1], [&](auto joint) { handInward(c, i, gather, joint, IA, pA); });
+      forJoint<S>(tree.rows[i], c.turn[i - 1],
+                  [&](auto joint) MUROSIMF_INLINE_LAMBDA { handInward(c, i, gather, joint, IA, pA); });
     }
   }
 }
 
 /// Outward from the base, whose acceleration is there.
 template <class S>
-inline void articulatedOutward(const ArticulatedTree& tree, const ArticulatedBody<S>& c) {
+MUROSIMF_INLINE void articulatedOutward(const ArticulatedTree& tree, const ArticulatedBody<S>& c) {
   for (int i = 1; i < tree.bodies; ++i) {
     const KernelRow& row = tree.rows[i];
-    forJoint<S>(row, c.turn[i - 1], [&](auto joint) {
+    forJoint<S>(row, c.turn[i - 1], [&](auto joint) MUROSIMF_INLINE_LAMBDA {
       const JointResponse<S>& response = c.response[i - 1];
       SpatialMotion<S> a = joint.into(c.acceleration[row.parent]);
       a += jointBias<decltype(joint)>(c.velocity[i], c.joint_velocity[i - 1]);
@@ -159,7 +160,7 @@ inline void articulatedOutward(const ArticulatedTree& tree, const ArticulatedBod
 }
 
 template <class S>
-inline void articulatedBody(const ArticulatedTree& tree, const ArticulatedBody<S>& c) {
+MUROSIMF_INLINE void articulatedBody(const ArticulatedTree& tree, const ArticulatedBody<S>& c) {
   articulatedInward(tree, c, [](int, ArticulatedInertia<S>&, SpatialForce<S>&) {});
   articulatedOutward(tree, c);
 }

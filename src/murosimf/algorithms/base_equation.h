@@ -10,7 +10,7 @@ inline namespace MUROSIMF_ISA {
 /// The motion a with inertia a = force, by L D L^T without exchange of rows [Golub & Van Loan 2013, 4.1]. About 70
 /// multiplications and 6 divisions.
 template <class S>
-inline SpatialMotion<S> solved(const ArticulatedInertia<S>& a, const SpatialForce<S>& force) {
+MUROSIMF_INLINE SpatialMotion<S> solved(const ArticulatedInertia<S>& a, const SpatialForce<S>& force) {
   // Lower triangle; unknowns in the order v, w: the block M is diagonal for a single body.
   S l[6][6] = {{a.M.xx},
                {a.M.xy, a.M.yy},

@@ -68,17 +68,18 @@ inline void massMatrix(const KernelRow* rows, int bodies, const UnknownRow* unkn
   for (int i = bodies - 1; i > 0; --i) {
     S* row = c.matrix + unknowns[i + 5].offset;
     SpatialForce<S> F;
-    forJoint<S>(rows[i], c.turn[i - 1], [&](auto joint) {
+    forJoint<S>(rows[i], c.turn[i - 1], [&](auto joint) MUROSIMF_INLINE_LAMBDA {
       c.composite[rows[i].parent] += joint.outOf(c.composite[i]);
       F = c.composite[i] * joint.motion(S(1));
       row[unknowns[i + 5].depth] = joint.along(F) + c.joint_inertia[i - 1];
     });
     int body = i;
     while (body > 0) {
-      forJoint<S>(rows[body], c.turn[body - 1], [&](auto joint) { F = joint.outOf(F); });
+      forJoint<S>(rows[body], c.turn[body - 1], [&](auto joint) MUROSIMF_INLINE_LAMBDA { F = joint.outOf(F); });
       body = rows[body].parent;
       if (body == 0) break;
-      forJoint<S>(rows[body], c.turn[body - 1], [&](auto joint) { row[unknowns[body + 5].depth] = joint.along(F); });
+      forJoint<S>(rows[body], c.turn[body - 1],
+                  [&](auto joint) MUROSIMF_INLINE_LAMBDA { row[unknowns[body + 5].depth] = joint.along(F); });
     }
     writeBaseEntries(F, row);
   }

@@ -30,7 +30,7 @@ template <class S>
 inline void inverseDynamics(const KernelRow* rows, int bodies, const InverseDynamics<S>& c) {
   for (int i = 0; i < bodies; ++i) {
     if (i > 0) {
-      forJoint<S>(rows[i], c.turn[i - 1], [&](auto joint) {
+      forJoint<S>(rows[i], c.turn[i - 1], [&](auto joint) MUROSIMF_INLINE_LAMBDA {
         SpatialMotion<S> a = joint.into(c.acceleration[rows[i].parent]);
         a += jointBias<decltype(joint)>(c.velocity[i], c.joint_velocity[i - 1]);
         joint.add(a, c.joint_acceleration[i - 1]);
@@ -41,7 +41,7 @@ inline void inverseDynamics(const KernelRow* rows, int bodies, const InverseDyna
     c.transmitted[i] = c.inertia[i] * c.acceleration[i] + cross(c.velocity[i], momentum) - c.force[i];
   }
   for (int i = bodies - 1; i > 0; --i) {
-    forJoint<S>(rows[i], c.turn[i - 1], [&](auto joint) {
+    forJoint<S>(rows[i], c.turn[i - 1], [&](auto joint) MUROSIMF_INLINE_LAMBDA {
       c.joint_torque[i - 1] = fma(c.joint_inertia[i - 1], c.joint_acceleration[i - 1], joint.along(c.transmitted[i]));
       c.transmitted[rows[i].parent] += joint.outOf(c.transmitted[i]);
     });

@@ -23,7 +23,7 @@ inline S& component(Vec3<S>& v) {
 
 /// J v for a turn J about the coordinate axis A.
 template <int A, class S>
-inline Vec3<S> turnedAbout(const Vec3<S>& v, const SinCos<S>& angle) {
+MUROSIMF_INLINE Vec3<S> turnedAbout(const Vec3<S>& v, const SinCos<S>& angle) {
   constexpr int B = (A + 1) % 3, C = (A + 2) % 3;
   Vec3<S> result = v;
   component<B>(result) = fnma(angle.sin, component<C>(v), angle.cos * component<B>(v));
@@ -32,7 +32,7 @@ inline Vec3<S> turnedAbout(const Vec3<S>& v, const SinCos<S>& angle) {
 }
 /// J^T v.
 template <int A, class S>
-inline Vec3<S> turnedBackAbout(const Vec3<S>& v, const SinCos<S>& angle) {
+MUROSIMF_INLINE Vec3<S> turnedBackAbout(const Vec3<S>& v, const SinCos<S>& angle) {
   return turnedAbout<A>(v, SinCos<S>{-angle.sin, angle.cos});
 }
 
@@ -53,28 +53,30 @@ struct JointFrame {
   const SinCos<S> turn;
 
   /// R_CP v: a vector of the parent in the child's axes.
-  Vec3<S> into(const Vec3<S>& v) const {
+  MUROSIMF_INLINE Vec3<S> into(const Vec3<S>& v) const {
     const Vec3<S> u = row.turned ? applyTransposed(rotationFrom<S>(row.rotation), v) : v;
     return kSlides ? u : turnedBackAbout<A>(u, turn);
   }
   /// R_PC v.
-  Vec3<S> outOf(const Vec3<S>& v) const {
+  MUROSIMF_INLINE Vec3<S> outOf(const Vec3<S>& v) const {
     const Vec3<S> u = kSlides ? v : turnedAbout<A>(v, turn);
     return row.turned ? rotationFrom<S>(row.rotation) * u : u;
   }
   /// p_PC: the child's origin from the parent's, in the parent's axes.
-  Vec3<S> origin() const {
+  MUROSIMF_INLINE Vec3<S> origin() const {
     const Vec3<S> p{S(row.translation[0]), S(row.translation[1]), S(row.translation[2])};
     if constexpr (!kSlides) return p;
     const double* a = row.rotation + 3 * A;  // R_PF e_A
     return {fma(S(a[0]), turn.sin, p.x), fma(S(a[1]), turn.sin, p.y), fma(S(a[2]), turn.sin, p.z)};
   }
-  SpatialMotion<S> into(const SpatialMotion<S>& a) const { return {into(a.w), into(a.v + cross(a.w, origin()))}; }
-  SpatialForce<S> outOf(const SpatialForce<S>& a) const {
+  MUROSIMF_INLINE SpatialMotion<S> into(const SpatialMotion<S>& a) const {
+    return {into(a.w), into(a.v + cross(a.w, origin()))};
+  }
+  MUROSIMF_INLINE SpatialForce<S> outOf(const SpatialForce<S>& a) const {
     const Vec3<S> f = outOf(a.f);
     return {outOf(a.n) + cross(origin(), f), f};
   }
-  ArticulatedInertia<S> outOf(ArticulatedInertia<S> a) const {
+  MUROSIMF_INLINE ArticulatedInertia<S> outOf(ArticulatedInertia<S> a) const {
     if constexpr (!kSlides) a = {turnedAbout<A>(a.I, turn), turnedAbout<A>(a.H, turn), turnedAbout<A>(a.M, turn)};
     if (row.turned) {
       const Rotation<S> R_PF = rotationFrom<S>(row.rotation);
@@ -82,7 +84,7 @@ struct JointFrame {
     }
     return shifted(a, origin());
   }
-  RigidInertia<S> outOf(RigidInertia<S> a) const {
+  MUROSIMF_INLINE RigidInertia<S> outOf(RigidInertia<S> a) const {
     if constexpr (!kSlides) a = {a.m, turnedAbout<A>(a.mc, turn), turnedAbout<A>(a.I, turn)};
     if (row.turned) {
       const Rotation<S> R_PF = rotationFrom<S>(row.rotation);
@@ -105,7 +107,7 @@ struct JointFrame {
 
 /// Calls visit(frame) with the frame of this row's joint.
 template <class S, class Visit>
-inline void forJoint(const KernelRow& row, const SinCos<S>& turn, Visit&& visit) {
+MUROSIMF_INLINE void forJoint(const KernelRow& row, const SinCos<S>& turn, Visit&& visit) {
   switch (row.axis + (row.prismatic ? 3 : 0)) {
     case 0:
       return visit(JointFrame<0, false, S>{row, turn});

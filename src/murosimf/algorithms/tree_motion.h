@@ -25,10 +25,10 @@ struct TreeMotion {
 };
 
 template <class S>
-inline void treeMotion(const KernelRow* rows, int bodies, const TreeMotion<S>& tree) {
+MUROSIMF_INLINE void treeMotion(const KernelRow* rows, int bodies, const TreeMotion<S>& tree) {
   for (int i = 1; i < bodies; ++i) {
     const int parent = rows[i].parent;
-    forJoint<S>(rows[i], tree.turn[i - 1], [&](auto joint) {
+    forJoint<S>(rows[i], tree.turn[i - 1], [&](auto joint) MUROSIMF_INLINE_LAMBDA {
       SpatialMotion<S> velocity = joint.into(tree.velocity[parent]);
       joint.add(velocity, tree.joint_velocity[i - 1]);
       tree.velocity[i] = velocity;

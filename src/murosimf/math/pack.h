@@ -16,6 +16,11 @@
 
 #include "murosimf/math/isa.h"
 
+/// For the functions that kernels are made of, and the lambdas that these hand to each other: a call passes vectors and
+/// inertias through memory, which costs more than what most of them do with them.
+#define MUROSIMF_INLINE __attribute__((always_inline)) inline
+#define MUROSIMF_INLINE_LAMBDA __attribute__((always_inline))
+
 namespace murosimf {
 inline namespace MUROSIMF_ISA {
 

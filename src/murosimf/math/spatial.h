@@ -17,35 +17,43 @@ template <class S = double>
 struct SpatialMotion {
   Vec3<S> w, v;
 
-  SpatialMotion& operator+=(const SpatialMotion& b) { return w += b.w, v += b.v, *this; }
-  friend SpatialMotion operator+(const SpatialMotion& a, const SpatialMotion& b) { return {a.w + b.w, a.v + b.v}; }
-  friend SpatialMotion operator-(const SpatialMotion& a, const SpatialMotion& b) { return {a.w - b.w, a.v - b.v}; }
-  friend SpatialMotion operator*(const SpatialMotion& a, S s) { return {a.w * s, a.v * s}; }
+  MUROSIMF_INLINE SpatialMotion& operator+=(const SpatialMotion& b) { return w += b.w, v += b.v, *this; }
+  MUROSIMF_INLINE friend SpatialMotion operator+(const SpatialMotion& a, const SpatialMotion& b) {
+    return {a.w + b.w, a.v + b.v};
+  }
+  MUROSIMF_INLINE friend SpatialMotion operator-(const SpatialMotion& a, const SpatialMotion& b) {
+    return {a.w - b.w, a.v - b.v};
+  }
+  MUROSIMF_INLINE friend SpatialMotion operator*(const SpatialMotion& a, S s) { return {a.w * s, a.v * s}; }
 };
 
 template <class S = double>
 struct SpatialForce {
   Vec3<S> n, f;
 
-  SpatialForce& operator+=(const SpatialForce& b) { return n += b.n, f += b.f, *this; }
-  friend SpatialForce operator+(const SpatialForce& a, const SpatialForce& b) { return {a.n + b.n, a.f + b.f}; }
-  friend SpatialForce operator-(const SpatialForce& a, const SpatialForce& b) { return {a.n - b.n, a.f - b.f}; }
-  friend SpatialForce operator*(const SpatialForce& a, S s) { return {a.n * s, a.f * s}; }
+  MUROSIMF_INLINE SpatialForce& operator+=(const SpatialForce& b) { return n += b.n, f += b.f, *this; }
+  MUROSIMF_INLINE friend SpatialForce operator+(const SpatialForce& a, const SpatialForce& b) {
+    return {a.n + b.n, a.f + b.f};
+  }
+  MUROSIMF_INLINE friend SpatialForce operator-(const SpatialForce& a, const SpatialForce& b) {
+    return {a.n - b.n, a.f - b.f};
+  }
+  MUROSIMF_INLINE friend SpatialForce operator*(const SpatialForce& a, S s) { return {a.n * s, a.f * s}; }
 };
 
 /// Power [W].
 template <class S>
-inline S dot(const SpatialMotion<S>& a, const SpatialForce<S>& b) {
+MUROSIMF_INLINE S dot(const SpatialMotion<S>& a, const SpatialForce<S>& b) {
   return dot(a.w, b.n) + dot(a.v, b.f);
 }
 /// How fast the moving frame a changes the motion b.
 template <class S>
-inline SpatialMotion<S> cross(const SpatialMotion<S>& a, const SpatialMotion<S>& b) {
+MUROSIMF_INLINE SpatialMotion<S> cross(const SpatialMotion<S>& a, const SpatialMotion<S>& b) {
   return {cross(a.w, b.w), cross(a.w, b.v) + cross(a.v, b.w)};
 }
 /// How fast the moving frame a changes the force b.
 template <class S>
-inline SpatialForce<S> cross(const SpatialMotion<S>& a, const SpatialForce<S>& b) {
+MUROSIMF_INLINE SpatialForce<S> cross(const SpatialMotion<S>& a, const SpatialForce<S>& b) {
   return {cross(a.w, b.n) + cross(a.v, b.f), cross(a.w, b.f)};
 }
 template <class S = double>
@@ -55,8 +63,8 @@ struct RigidInertia {
   Symmetric3<S> I;  ///< about the origin [kg m^2]
 
   friend bool operator==(const RigidInertia&, const RigidInertia&) = default;
-  RigidInertia& operator+=(const RigidInertia& b) { return m += b.m, mc += b.mc, I += b.I, *this; }
-  friend SpatialForce<S> operator*(const RigidInertia& a, const SpatialMotion<S>& b) {
+  MUROSIMF_INLINE RigidInertia& operator+=(const RigidInertia& b) { return m += b.m, mc += b.mc, I += b.I, *this; }
+  MUROSIMF_INLINE friend SpatialForce<S> operator*(const RigidInertia& a, const SpatialMotion<S>& b) {
     return {a.I * b.w + cross(a.mc, b.v), b.v * a.m - cross(a.mc, b.w)};
   }
 };
@@ -67,20 +75,22 @@ struct ArticulatedInertia {
   Matrix3<S> H;
   Symmetric3<S> M;
 
-  ArticulatedInertia& operator+=(const ArticulatedInertia& b) { return I += b.I, H += b.H, M += b.M, *this; }
-  friend SpatialForce<S> operator*(const ArticulatedInertia& a, const SpatialMotion<S>& b) {
+  MUROSIMF_INLINE ArticulatedInertia& operator+=(const ArticulatedInertia& b) {
+    return I += b.I, H += b.H, M += b.M, *this;
+  }
+  MUROSIMF_INLINE friend SpatialForce<S> operator*(const ArticulatedInertia& a, const SpatialMotion<S>& b) {
     return {a.I * b.w + a.H * b.v, applyTransposed(a.H, b.w) + a.M * b.v};
   }
 };
 
 template <class S>
-inline ArticulatedInertia<S> select(decltype(S() < S()) mask, const ArticulatedInertia<S>& a,
-                                    const ArticulatedInertia<S>& b) {
+MUROSIMF_INLINE ArticulatedInertia<S> select(decltype(S() < S()) mask, const ArticulatedInertia<S>& a,
+                                             const ArticulatedInertia<S>& b) {
   return {select(mask, a.I, b.I), select(mask, a.H, b.H), select(mask, a.M, b.M)};
 }
 
 template <class S>
-inline ArticulatedInertia<S> articulated(const RigidInertia<S>& rigid) {
+MUROSIMF_INLINE ArticulatedInertia<S> articulated(const RigidInertia<S>& rigid) {
   const S zero(0);
   const Vec3<S>& c = rigid.mc;
   return {rigid.I, {{{zero, -c.z, c.y}, {c.z, zero, -c.x}, {-c.y, c.x, zero}}}, {rigid.m, rigid.m, rigid.m}};
@@ -88,7 +98,7 @@ inline ArticulatedInertia<S> articulated(const RigidInertia<S>& rigid) {
 
 /// The inertia referred to a point from which the old origin lies at r: H + [r]x M, I - H [r]x + [r]x (H + [r]x M)^T.
 template <class S>
-inline ArticulatedInertia<S> shifted(const ArticulatedInertia<S>& a, const Vec3<S>& r) {
+MUROSIMF_INLINE ArticulatedInertia<S> shifted(const ArticulatedInertia<S>& a, const Vec3<S>& r) {
   ArticulatedInertia<S> b;
   const Symmetric3<S>& M = b.M = a.M;
   const auto& H = a.H.e;
@@ -113,7 +123,7 @@ inline ArticulatedInertia<S> shifted(const ArticulatedInertia<S>& a, const Vec3<
 }
 /// The same for a rigid body.
 template <class S>
-inline RigidInertia<S> shifted(const RigidInertia<S>& a, const Vec3<S>& r) {
+MUROSIMF_INLINE RigidInertia<S> shifted(const RigidInertia<S>& a, const Vec3<S>& r) {
   // I about the new origin: I + (|r|^2 m + 2 r.mc) E - (m r r^T + r mc^T + mc r^T), with mc about the old origin.
   const Vec3<S> moved = r * a.m + a.mc;
   const S square = dot(r, moved) + dot(r, a.mc);

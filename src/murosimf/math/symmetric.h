@@ -14,10 +14,10 @@ template <class S = double>
 struct Symmetric3 {
   S xx{}, yy{}, zz{}, xy{}, xz{}, yz{};
 
-  Symmetric3& operator+=(const Symmetric3& b) {
+  MUROSIMF_INLINE Symmetric3& operator+=(const Symmetric3& b) {
     return xx += b.xx, yy += b.yy, zz += b.zz, xy += b.xy, xz += b.xz, yz += b.yz, *this;
   }
-  friend Vec3<S> operator*(const Symmetric3& m, const Vec3<S>& v) {
+  MUROSIMF_INLINE friend Vec3<S> operator*(const Symmetric3& m, const Vec3<S>& v) {
     return {fma(m.xz, v.z, fma(m.xy, v.y, m.xx * v.x)), fma(m.yz, v.z, fma(m.yy, v.y, m.xy * v.x)),
             fma(m.zz, v.z, fma(m.yz, v.y, m.xz * v.x))};
   }
@@ -25,7 +25,7 @@ struct Symmetric3 {
 };
 
 template <class S>
-inline Symmetric3<S> select(decltype(S() < S()) mask, const Symmetric3<S>& a, const Symmetric3<S>& b) {
+MUROSIMF_INLINE Symmetric3<S> select(decltype(S() < S()) mask, const Symmetric3<S>& a, const Symmetric3<S>& b) {
   return {select(mask, a.xx, b.xx), select(mask, a.yy, b.yy), select(mask, a.zz, b.zz),
           select(mask, a.xy, b.xy), select(mask, a.xz, b.xz), select(mask, a.yz, b.yz)};
 }
@@ -45,13 +45,13 @@ template <class S = double>
 struct Matrix3 {
   S e[3][3]{};
 
-  Matrix3& operator+=(const Matrix3& b) {
+  MUROSIMF_INLINE Matrix3& operator+=(const Matrix3& b) {
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) e[i][j] += b.e[i][j];
     }
     return *this;
   }
-  friend Vec3<S> operator*(const Matrix3& m, const Vec3<S>& v) {
+  MUROSIMF_INLINE friend Vec3<S> operator*(const Matrix3& m, const Vec3<S>& v) {
     return {fma(m.e[0][2], v.z, fma(m.e[0][1], v.y, m.e[0][0] * v.x)),
             fma(m.e[1][2], v.z, fma(m.e[1][1], v.y, m.e[1][0] * v.x)),
             fma(m.e[2][2], v.z, fma(m.e[2][1], v.y, m.e[2][0] * v.x))};
@@ -59,7 +59,7 @@ struct Matrix3 {
 };
 
 template <class S>
-inline Matrix3<S> select(decltype(S() < S()) mask, const Matrix3<S>& a, const Matrix3<S>& b) {
+MUROSIMF_INLINE Matrix3<S> select(decltype(S() < S()) mask, const Matrix3<S>& a, const Matrix3<S>& b) {
   Matrix3<S> result;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) result.e[i][j] = select(mask, a.e[i][j], b.e[i][j]);
@@ -69,7 +69,7 @@ inline Matrix3<S> select(decltype(S() < S()) mask, const Matrix3<S>& a, const Ma
 
 /// m^T v.
 template <class S>
-inline Vec3<S> applyTransposed(const Matrix3<S>& m, const Vec3<S>& v) {
+MUROSIMF_INLINE Vec3<S> applyTransposed(const Matrix3<S>& m, const Vec3<S>& v) {
   return {fma(m.e[2][0], v.z, fma(m.e[1][0], v.y, m.e[0][0] * v.x)),
           fma(m.e[2][1], v.z, fma(m.e[1][1], v.y, m.e[0][1] * v.x)),
           fma(m.e[2][2], v.z, fma(m.e[1][2], v.y, m.e[0][2] * v.x))};
@@ -77,7 +77,7 @@ inline Vec3<S> applyTransposed(const Matrix3<S>& m, const Vec3<S>& v) {
 
 /// R m R^T for a rotation R given as a matrix.
 template <class S>
-inline Matrix3<S> turned(const Rotation<S>& r, const Matrix3<S>& m) {
+MUROSIMF_INLINE Matrix3<S> turned(const Rotation<S>& r, const Matrix3<S>& m) {
   Matrix3<S> half, result;  // m R^T, then R (m R^T)
   const Vec3<S> rows[3] = {{r.x.x, r.y.x, r.z.x}, {r.x.y, r.y.y, r.z.y}, {r.x.z, r.y.z, r.z.z}};
   for (int i = 0; i < 3; ++i) {
@@ -89,7 +89,7 @@ inline Matrix3<S> turned(const Rotation<S>& r, const Matrix3<S>& m) {
   return result;
 }
 template <class S>
-inline Symmetric3<S> turned(const Rotation<S>& r, const Symmetric3<S>& m) {
+MUROSIMF_INLINE Symmetric3<S> turned(const Rotation<S>& r, const Symmetric3<S>& m) {
   const Matrix3<S> full = turned(r, Matrix3<S>{{{m.xx, m.xy, m.xz}, {m.xy, m.yy, m.yz}, {m.xz, m.yz, m.zz}}});
   return {full.e[0][0], full.e[1][1], full.e[2][2], full.e[0][1], full.e[0][2], full.e[1][2]};
 }
@@ -97,7 +97,7 @@ inline Symmetric3<S> turned(const Rotation<S>& r, const Symmetric3<S>& m) {
 /// The same for a turn about the coordinate axis A by the angle with this sine and cosine. With B and C the axes that
 /// follow A, only the four entries in the plane of B and C mix with double angles: one product w does for all of them.
 template <int A, class S>
-inline Symmetric3<S> turnedAbout(const Symmetric3<S>& m, const SinCos<S>& angle) {
+MUROSIMF_INLINE Symmetric3<S> turnedAbout(const Symmetric3<S>& m, const SinCos<S>& angle) {
   constexpr int B = (A + 1) % 3, C = (A + 2) % 3;
   const S s = angle.sin, c = angle.cos;
   const S w = fma(s, entry<B, B>(m) - entry<C, C>(m), (c + c) * entry<B, C>(m));
@@ -111,7 +111,7 @@ inline Symmetric3<S> turnedAbout(const Symmetric3<S>& m, const SinCos<S>& angle)
   return result;
 }
 template <int A, class S>
-inline Matrix3<S> turnedAbout(const Matrix3<S>& m, const SinCos<S>& angle) {
+MUROSIMF_INLINE Matrix3<S> turnedAbout(const Matrix3<S>& m, const SinCos<S>& angle) {
   constexpr int B = (A + 1) % 3, C = (A + 2) % 3;
   const S s = angle.sin, c = angle.cos;
   const S both = m.e[B][C] + m.e[C][B];

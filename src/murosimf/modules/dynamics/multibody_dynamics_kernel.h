@@ -43,7 +43,7 @@ void multibodyDynamics(const MultibodyArguments& a, const BlockMemory& block, co
                                    columnAt<ArticulatedInertia<S>, S>(block, a.slot_inertia),
                                    columnAt<SpatialForce<S>, S>(block, a.slot_bias)};
   const S* touch = columnAt<S, S>(block, a.contact_touch);
-  articulatedInward(a.tree, columns, [&](int i, ArticulatedInertia<S>& IA, SpatialForce<S>&) {
+  articulatedInward(a.tree, columns, [&](int i, ArticulatedInertia<S>& IA, SpatialForce<S>&) MUROSIMF_INLINE_LAMBDA {
     const auto touches = touch[i] > S(0);
     if (!a.contacts || !any(touches)) return;
     ArticulatedInertia<S> with = IA;
