@@ -16,6 +16,31 @@ inline S roundToInteger(S x) {
   return (x + S(kRoundingShift)) - S(kRoundingShift);
 }
 
+// The sum k + kRoundingShift, for an integer k, is a word with k in its low bits: what quadrant an angle is in can be
+// read from them without comparisons.
+
+inline bool isOdd(double shifted) { return (__builtin_bit_cast(long long, shifted) & 1) != 0; }
+template <int W>
+inline Mask<double, W> isOdd(Pack<double, W> shifted) {
+  using Words = typename Mask<double, W>::Vector;
+  return {(reinterpret_cast<Words>(shifted.v) << 63) < 0};
+}
+
+inline constexpr long long kSignBit = -0x7fffffffffffffffLL - 1;
+
+/// x, or -x where k + summand is 2 or 3 modulo 4: the second half of a turn in four quadrants.
+inline double negatedInSecondHalf(double x, double shifted, long long summand) {
+  const long long sign = ((__builtin_bit_cast(long long, shifted) + summand) << 62) & kSignBit;
+  return __builtin_bit_cast(double, __builtin_bit_cast(long long, x) ^ sign);
+}
+template <int W>
+inline Pack<double, W> negatedInSecondHalf(Pack<double, W> x, Pack<double, W> shifted, long long summand) {
+  using Words = typename Mask<double, W>::Vector;
+  using Numbers = typename Pack<double, W>::Vector;
+  const Words sign = ((reinterpret_cast<Words>(shifted.v) + summand) << 62) & kSignBit;
+  return Pack<double, W>(reinterpret_cast<Numbers>(reinterpret_cast<Words>(x.v) ^ sign));
+}
+
 /// 2^k for an integer k in [-1022, 1023]. The integer stands in the low bits of k + kRoundingShift; shifted to the
 /// place of the exponent it becomes the power.
 inline double powerOfTwo(double k) {

@@ -46,17 +46,14 @@ inline S cosKernel(S r) {
 /// Sine and cosine of x [rad], |x| < 1e5.
 template <class S>
 inline SinCos<S> sincos(S x) {
-  const S k = roundToInteger(x * S(0.63661977236758134308));  // 2/pi
-  S r = fnma(k, S(1.57079632679489655800e+00), x);            // pi/2 in three pieces
+  const S shifted = x * S(0.63661977236758134308) + S(kRoundingShift);  // 2/pi
+  const S k = shifted - S(kRoundingShift);                              // quadrants
+  S r = fnma(k, S(1.57079632679489655800e+00), x);                      // pi/2 in three pieces
   r = fnma(k, S(6.12323399573676603587e-17), r);
   r = fnma(k, S(-1.49738490485916983700e-33), r);
-  const S quadrant = fnma(S(4), roundToInteger(fma(k, S(0.25), S(-0.375))), k);  // k mod 4, one of 0 1 2 3
   const S s = sinKernel(r), c = cosKernel(r);
-  const auto odd = (quadrant == S(1)) | (quadrant == S(3));
-  const auto sin_negative = quadrant >= S(2);
-  const auto cos_negative = (quadrant == S(1)) | (quadrant == S(2));
-  const S sin_size = select(odd, c, s), cos_size = select(odd, s, c);
-  return {select(sin_negative, -sin_size, sin_size), select(cos_negative, -cos_size, cos_size)};
+  const auto odd = isOdd(shifted);
+  return {negatedInSecondHalf(select(odd, c, s), shifted, 0), negatedInSecondHalf(select(odd, s, c), shifted, 1)};
 }
 template <class S>
 inline S sin(S x) {
