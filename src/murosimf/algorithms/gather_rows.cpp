@@ -12,6 +12,10 @@ GatherPlan planGathering(const TreeTable& table) {
     GatherRow& row = plan.rows[i];
     GatherRow& parent = plan.rows[static_cast<std::size_t>(table.rows[i].parent)];
     if (row.slot >= 0) taken[static_cast<std::size_t>(row.slot)] = false;
+    if (table.rows[i].parent == static_cast<int>(i) - 1) {
+      parent.starts = false;
+      continue;
+    }
     row.first = parent.slot < 0;
     if (row.first) {
       const auto free = std::find(taken.begin(), taken.end(), false);

@@ -2,9 +2,10 @@
 
 /// @file Where recursions from the leaves of a tree to its base keep what children hand to their parents.
 ///
-/// A body's inertia is complete when all its children have added theirs. Only few bodies wait at a time (a humanoid:
-/// the pelvis and the trunk), so the sums stand in few slots, taken and freed like registers; along a chain of bodies
-/// it is always the same one, which stays in the fastest memory.
+/// A body's inertia is complete when all its children have added theirs. Rows are visited from the last to the first.
+/// What a row hands on is taken at once where the row visited next is its parent, as along all chains. Only other
+/// children's contributions wait, and only few at a time (a humanoid: those of the second leg and arm), so their sums
+/// stand in few slots, taken and freed like registers.
 
 #include <vector>
 
@@ -13,8 +14,9 @@
 namespace murosimf {
 
 struct GatherRow {
-  int slot = -1;         ///< holds the sum of this body's children; -1: it has none
-  int parent_slot = -1;  ///< takes this body's contribution
+  bool starts = true;    ///< the row visited before is none of its children, it is a leaf mostly
+  int slot = -1;         ///< holds the sum of its other children; -1: there are none
+  int parent_slot = -1;  ///< takes what it hands on; -1: the parent is visited next and takes it at once
   bool first = false;    ///< the parent's slot holds nothing yet: overwrite it
 };
 
@@ -23,8 +25,7 @@ struct GatherPlan {
   int slots = 0;
 };
 
-/// For a recursion that visits the rows from the last to the first. A row's own slot may be taken again by its parent:
-/// read it before the contribution is written.
+/// A row's own slot may be taken again by its parent: read it before the contribution is written.
 GatherPlan planGathering(const TreeTable& table);
 
 }  // namespace murosimf

@@ -32,7 +32,7 @@ inline void inverseDynamics(const KernelRow* rows, int bodies, const InverseDyna
     if (i > 0) {
       forJoint<S>(rows[i], c.turn[i - 1], [&](auto joint) MUROSIMF_INLINE_LAMBDA {
         SpatialMotion<S> a = joint.into(c.acceleration[rows[i].parent]);
-        a += jointBias<decltype(joint)>(c.velocity[i], c.joint_velocity[i - 1]);
+        add(a, jointBias<decltype(joint)>(c.velocity[i], c.joint_velocity[i - 1]));
         joint.add(a, c.joint_acceleration[i - 1]);
         c.acceleration[i] = a;
       });

@@ -12,15 +12,6 @@
 namespace murosimf {
 inline namespace MUROSIMF_ISA {
 
-template <int A, class S>
-inline S component(const Vec3<S>& v) {
-  return A == 0 ? v.x : A == 1 ? v.y : v.z;
-}
-template <int A, class S>
-inline S& component(Vec3<S>& v) {
-  return A == 0 ? v.x : A == 1 ? v.y : v.z;
-}
-
 /// J v for a turn J about the coordinate axis A.
 template <int A, class S>
 MUROSIMF_INLINE Vec3<S> turnedAbout(const Vec3<S>& v, const SinCos<S>& angle) {
@@ -70,19 +61,30 @@ struct JointFrame {
     return {fma(S(a[0]), turn.sin, p.x), fma(S(a[1]), turn.sin, p.y), fma(S(a[2]), turn.sin, p.z)};
   }
   MUROSIMF_INLINE SpatialMotion<S> into(const SpatialMotion<S>& a) const {
-    return {into(a.w), into(a.v + cross(a.w, origin()))};
+    return {into(a.w), into(plusCross(a.v, a.w, origin()))};
   }
   MUROSIMF_INLINE SpatialForce<S> outOf(const SpatialForce<S>& a) const {
     const Vec3<S> f = outOf(a.f);
-    return {outOf(a.n) + cross(origin(), f), f};
+    return {plusCross(outOf(a.n), origin(), f), f};
   }
-  MUROSIMF_INLINE ArticulatedInertia<S> outOf(ArticulatedInertia<S> a) const {
-    if constexpr (!kSlides) a = {turnedAbout<A>(a.I, turn), turnedAbout<A>(a.H, turn), turnedAbout<A>(a.M, turn)};
-    if (row.turned) {
+  /// J m J^T or J v: without the turn of a revolute joint.
+  template <class T>
+  MUROSIMF_INLINE T turnedOut(const T& m) const {
+    if constexpr (kSlides) {
+      return m;
+    } else {
+      return turnedAbout<A>(m, turn);
+    }
+  }
+  /// What is left of the way to the parent for an inertia and a force that have been turned out.
+  MUROSIMF_INLINE void bringToParent(ArticulatedInertia<S>& a, SpatialForce<S>& p) const {
+    if constexpr (kSlides) shiftAlong<A>(a, turn.sin), shiftAlong<A>(p, turn.sin);
+    if (row.turned) [[unlikely]] {
       const Rotation<S> R_PF = rotationFrom<S>(row.rotation);
       a = {turned(R_PF, a.I), turned(R_PF, a.H), turned(R_PF, a.M)};
+      p = {R_PF * p.n, R_PF * p.f};
     }
-    return shifted(a, origin());
+    bringAlong<0>(a, p), bringAlong<1>(a, p), bringAlong<2>(a, p);
   }
   MUROSIMF_INLINE RigidInertia<S> outOf(RigidInertia<S> a) const {
     if constexpr (!kSlides) a = {a.m, turnedAbout<A>(a.mc, turn), turnedAbout<A>(a.I, turn)};
@@ -91,6 +93,12 @@ struct JointFrame {
       a = {a.m, R_PF * a.mc, turned(R_PF, a.I)};
     }
     return shifted(a, origin());
+  }
+  template <int K>
+  MUROSIMF_INLINE void bringAlong(ArticulatedInertia<S>& a, SpatialForce<S>& p) const {
+    if (row.translation[K] == 0) return;
+    const S r(row.translation[K]);
+    shiftAlong<K>(a, r), shiftAlong<K>(p, r);
   }
   /// The component of a force that the joint's motor feels: S^T f.
   static S along(const SpatialForce<S>& a) { return component<A>(kSlides ? a.f : a.n); }

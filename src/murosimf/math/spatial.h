@@ -96,32 +96,45 @@ MUROSIMF_INLINE ArticulatedInertia<S> articulated(const RigidInertia<S>& rigid) 
   return {rigid.I, {{{zero, -c.z, c.y}, {c.z, zero, -c.x}, {-c.y, c.x, zero}}}, {rigid.m, rigid.m, rigid.m}};
 }
 
-/// The inertia referred to a point from which the old origin lies at r: H + [r]x M, I - H [r]x + [r]x (H + [r]x M)^T.
+/// A rigid body is fixed to it.
 template <class S>
-MUROSIMF_INLINE ArticulatedInertia<S> shifted(const ArticulatedInertia<S>& a, const Vec3<S>& r) {
-  ArticulatedInertia<S> b;
-  const Symmetric3<S>& M = b.M = a.M;
-  const auto& H = a.H.e;
-  auto& G = b.H.e;
-  G[0][0] = fma(r.y, M.xz, fnma(r.z, M.xy, H[0][0]));
-  G[0][1] = fma(r.y, M.yz, fnma(r.z, M.yy, H[0][1]));
-  G[0][2] = fma(r.y, M.zz, fnma(r.z, M.yz, H[0][2]));
-  G[1][0] = fma(r.z, M.xx, fnma(r.x, M.xz, H[1][0]));
-  G[1][1] = fma(r.z, M.xy, fnma(r.x, M.yz, H[1][1]));
-  G[1][2] = fma(r.z, M.xz, fnma(r.x, M.zz, H[1][2]));
-  G[2][0] = fma(r.x, M.xy, fnma(r.y, M.xx, H[2][0]));
-  G[2][1] = fma(r.x, M.yy, fnma(r.y, M.xy, H[2][1]));
-  G[2][2] = fma(r.x, M.yz, fnma(r.y, M.xz, H[2][2]));
-  // -(H [r]x)_ij + ([r]x G^T)_ij
-  b.I.xx = fma(r.y, G[0][2], fnma(r.z, G[0][1], fma(r.y, H[0][2], fnma(r.z, H[0][1], a.I.xx))));
-  b.I.xy = fma(r.y, G[1][2], fnma(r.z, G[1][1], fma(r.z, H[0][0], fnma(r.x, H[0][2], a.I.xy))));
-  b.I.xz = fma(r.y, G[2][2], fnma(r.z, G[2][1], fma(r.x, H[0][1], fnma(r.y, H[0][0], a.I.xz))));
-  b.I.yy = fma(r.z, G[1][0], fnma(r.x, G[1][2], fma(r.z, H[1][0], fnma(r.x, H[1][2], a.I.yy))));
-  b.I.yz = fma(r.z, G[2][0], fnma(r.x, G[2][2], fma(r.x, H[1][1], fnma(r.y, H[1][0], a.I.yz))));
-  b.I.zz = fma(r.x, G[2][1], fnma(r.y, G[2][0], fma(r.x, H[2][1], fnma(r.y, H[2][0], a.I.zz))));
-  return b;
+MUROSIMF_INLINE ArticulatedInertia<S>& operator+=(ArticulatedInertia<S>& a, const RigidInertia<S>& b) {
+  auto& H = a.H.e;
+  a.I += b.I;
+  H[0][1] -= b.mc.z, H[0][2] += b.mc.y, H[1][0] += b.mc.z, H[1][2] -= b.mc.x, H[2][0] -= b.mc.y, H[2][1] += b.mc.x;
+  a.M.xx += b.m, a.M.yy += b.m, a.M.zz += b.m;
+  return a;
 }
-/// The same for a rigid body.
+
+/// Refers a force or an inertia to a point from which the old origin lies at r along axis A, r a number [m].
+/// Offsets in general are up to three of these: that costs no more than one formula for all, and most robots have few
+/// numbers in their offsets that are not zero.
+template <int A, class S>
+MUROSIMF_INLINE void shiftAlong(SpatialForce<S>& a, S r) {
+  constexpr int B = (A + 1) % 3, C = (A + 2) % 3;
+  component<B>(a.n) = fnma(r, component<C>(a.f), component<B>(a.n));
+  component<C>(a.n) = fma(r, component<B>(a.f), component<C>(a.n));
+}
+/// H + [r]x M, I - H [r]x + [r]x (H + [r]x M)^T.
+template <int A, class S>
+MUROSIMF_INLINE void shiftAlong(ArticulatedInertia<S>& a, S r) {
+  constexpr int B = (A + 1) % 3, C = (A + 2) % 3;
+  auto& I = a.I;
+  auto& H = a.H.e;
+  const auto& M = a.M;
+  entry<A, B>(I) = fnma(r, H[A][C], entry<A, B>(I));
+  entry<A, C>(I) = fma(r, H[A][B], entry<A, C>(I));
+  entry<B, B>(I) = fnma(r, H[B][C], entry<B, B>(I));
+  entry<C, C>(I) = fma(r, H[C][B], entry<C, C>(I));
+  entry<B, C>(I) = fma(r, H[B][B], entry<B, C>(I));
+  H[B][A] = fnma(r, entry<A, C>(M), H[B][A]), H[C][A] = fma(r, entry<A, B>(M), H[C][A]);
+  H[B][B] = fnma(r, entry<B, C>(M), H[B][B]), H[C][B] = fma(r, entry<B, B>(M), H[C][B]);
+  H[B][C] = fnma(r, entry<C, C>(M), H[B][C]), H[C][C] = fma(r, entry<B, C>(M), H[C][C]);
+  entry<B, B>(I) = fnma(r, H[B][C], entry<B, B>(I));
+  entry<C, C>(I) = fma(r, H[C][B], entry<C, C>(I));
+  entry<B, C>(I) = fnma(r, H[C][C], entry<B, C>(I));
+}
+/// A rigid body referred to a point from which the old origin lies at r.
 template <class S>
 MUROSIMF_INLINE RigidInertia<S> shifted(const RigidInertia<S>& a, const Vec3<S>& r) {
   // I about the new origin: I + (|r|^2 m + 2 r.mc) E - (m r r^T + r mc^T + mc r^T), with mc about the old origin.

@@ -46,9 +46,9 @@ struct Matrix3 {
   S e[3][3]{};
 
   MUROSIMF_INLINE Matrix3& operator+=(const Matrix3& b) {
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) e[i][j] += b.e[i][j];
-    }
+    e[0][0] += b.e[0][0], e[0][1] += b.e[0][1], e[0][2] += b.e[0][2];
+    e[1][0] += b.e[1][0], e[1][1] += b.e[1][1], e[1][2] += b.e[1][2];
+    e[2][0] += b.e[2][0], e[2][1] += b.e[2][1], e[2][2] += b.e[2][2];
     return *this;
   }
   MUROSIMF_INLINE friend Vec3<S> operator*(const Matrix3& m, const Vec3<S>& v) {
@@ -65,6 +65,34 @@ MUROSIMF_INLINE Matrix3<S> select(decltype(S() < S()) mask, const Matrix3<S>& a,
     for (int j = 0; j < 3; ++j) result.e[i][j] = select(mask, a.e[i][j], b.e[i][j]);
   }
   return result;
+}
+
+/// Column J, as a vector.
+template <int J, class S>
+MUROSIMF_INLINE Vec3<S> column(const Symmetric3<S>& m) {
+  return {entry<0, J>(m), entry<1, J>(m), entry<2, J>(m)};
+}
+template <int J, class S>
+MUROSIMF_INLINE Vec3<S> column(const Matrix3<S>& m) {
+  return {m.e[0][J], m.e[1][J], m.e[2][J]};
+}
+/// Row I, as a vector.
+template <int I, class S>
+MUROSIMF_INLINE Vec3<S> row(const Matrix3<S>& m) {
+  return {m.e[I][0], m.e[I][1], m.e[I][2]};
+}
+
+/// m - u w^T; for the symmetric matrix, w must be a multiple of u.
+template <class S>
+MUROSIMF_INLINE Symmetric3<S> lessOuter(const Symmetric3<S>& m, const Vec3<S>& u, const Vec3<S>& w) {
+  return {fnma(u.x, w.x, m.xx), fnma(u.y, w.y, m.yy), fnma(u.z, w.z, m.zz),
+          fnma(u.x, w.y, m.xy), fnma(u.x, w.z, m.xz), fnma(u.y, w.z, m.yz)};
+}
+template <class S>
+MUROSIMF_INLINE Matrix3<S> lessOuter(const Matrix3<S>& m, const Vec3<S>& u, const Vec3<S>& w) {
+  return {{{fnma(u.x, w.x, m.e[0][0]), fnma(u.x, w.y, m.e[0][1]), fnma(u.x, w.z, m.e[0][2])},
+           {fnma(u.y, w.x, m.e[1][0]), fnma(u.y, w.y, m.e[1][1]), fnma(u.y, w.z, m.e[1][2])},
+           {fnma(u.z, w.x, m.e[2][0]), fnma(u.z, w.y, m.e[2][1]), fnma(u.z, w.z, m.e[2][2])}}};
 }
 
 /// m^T v.

@@ -24,6 +24,15 @@ struct Vec3 {
   friend bool operator==(const Vec3&, const Vec3&) = default;
 };
 
+/// The component along coordinate axis A.
+template <int A, class S>
+inline const S& component(const Vec3<S>& v) {
+  return A == 0 ? v.x : A == 1 ? v.y : v.z;
+}
+template <int A, class S>
+inline S& component(Vec3<S>& v) {
+  return A == 0 ? v.x : A == 1 ? v.y : v.z;
+}
 template <class S>
 inline S dot(const Vec3<S>& a, const Vec3<S>& b) {
   return fma(a.z, b.z, fma(a.y, b.y, a.x * b.x));
@@ -31,6 +40,16 @@ inline S dot(const Vec3<S>& a, const Vec3<S>& b) {
 template <class S>
 inline Vec3<S> cross(const Vec3<S>& a, const Vec3<S>& b) {
   return {fnma(a.z, b.y, a.y * b.z), fnma(a.x, b.z, a.z * b.x), fnma(a.y, b.x, a.x * b.y)};
+}
+/// a + b s.
+template <class S>
+inline Vec3<S> plusScaled(const Vec3<S>& a, const Vec3<S>& b, S s) {
+  return {fma(b.x, s, a.x), fma(b.y, s, a.y), fma(b.z, s, a.z)};
+}
+/// a + b x c.
+template <class S>
+inline Vec3<S> plusCross(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c) {
+  return {fnma(b.z, c.y, fma(b.y, c.z, a.x)), fnma(b.x, c.z, fma(b.z, c.x, a.y)), fnma(b.y, c.x, fma(b.x, c.y, a.z))};
 }
 template <class S>
 inline S squaredNorm(const Vec3<S>& a) {

@@ -45,10 +45,11 @@ void multibodyDynamics(const MultibodyArguments& a, const BlockMemory& block, co
   const S* touch = columnAt<S, S>(block, a.contact_touch);
   articulatedInward(a.tree, columns, [&](int i, ArticulatedInertia<S>& IA, SpatialForce<S>&) MUROSIMF_INLINE_LAMBDA {
     const auto touches = touch[i] > S(0);
-    if (!a.contacts || !any(touches)) return;
-    ArticulatedInertia<S> with = IA;
-    with += columnAt<ArticulatedInertia<S>, S>(block, a.contact_inertia)[i];
-    IA = select(touches, with, IA);
+    if (a.contacts && any(touches)) [[unlikely]] {
+      ArticulatedInertia<S> with = IA;
+      with += columnAt<ArticulatedInertia<S>, S>(block, a.contact_inertia)[i];
+      IA = select(touches, with, IA);
+    }
   });
   articulatedOutward(a.tree, columns);
 }

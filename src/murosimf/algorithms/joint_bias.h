@@ -1,0 +1,57 @@
+#pragma once
+
+/// @file c = V x S dq: how the turning of a body changes the motion of the joint that carries it.
+///
+/// Nothing of c lies along the joint's axis, and for a prismatic joint nothing of its w is left: at most four of six
+/// numbers are not zero, and products with c are written for those.
+
+#include "murosimf/algorithms/joint_frame.h"
+
+namespace murosimf {
+inline namespace MUROSIMF_ISA {
+
+/// A vector without a component along axis A: b along the axis that follows A, c along the third.
+template <int A, class S>
+struct AcrossAxis {
+  S b{}, c{};
+};
+
+/// a += x.
+template <int A, class S>
+MUROSIMF_INLINE void add(Vec3<S>& a, const AcrossAxis<A, S>& x) {
+  constexpr int B = (A + 1) % 3, C = (A + 2) % 3;
+  component<B>(a) += x.b, component<C>(a) += x.c;
+}
+/// a + m x.
+template <int A, class Matrix, class S>
+MUROSIMF_INLINE Vec3<S> plusProduct(const Vec3<S>& a, const Matrix& m, const AcrossAxis<A, S>& x) {
+  constexpr int B = (A + 1) % 3, C = (A + 2) % 3;
+  return plusScaled(plusScaled(a, column<B>(m), x.b), column<C>(m), x.c);
+}
+/// a + m^T x.
+template <int A, class S>
+MUROSIMF_INLINE Vec3<S> plusTransposedProduct(const Vec3<S>& a, const Matrix3<S>& m, const AcrossAxis<A, S>& x) {
+  constexpr int B = (A + 1) % 3, C = (A + 2) % 3;
+  return plusScaled(plusScaled(a, row<B>(m), x.b), row<C>(m), x.c);
+}
+
+template <class Joint, class S>
+struct JointBias {
+  AcrossAxis<Joint::kAxis, S> w, v;
+};
+
+template <class Joint, class S>
+MUROSIMF_INLINE JointBias<Joint, S> jointBias(const SpatialMotion<S>& V, S rate) {
+  constexpr int B = (Joint::kAxis + 1) % 3, C = (Joint::kAxis + 2) % 3;
+  const S back = -rate;
+  if constexpr (Joint::kPrismatic) return {{}, {component<C>(V.w) * rate, component<B>(V.w) * back}};
+  return {{component<C>(V.w) * rate, component<B>(V.w) * back}, {component<C>(V.v) * rate, component<B>(V.v) * back}};
+}
+template <class Joint, class S>
+MUROSIMF_INLINE void add(SpatialMotion<S>& a, const JointBias<Joint, S>& c) {
+  if constexpr (!Joint::kPrismatic) add(a.w, c.w);
+  add(a.v, c.v);
+}
+
+}  // namespace MUROSIMF_ISA
+}  // namespace murosimf
