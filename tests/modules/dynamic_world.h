@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <initializer_list>
+#include <map>
 
 #include "modules/motion_world.h"
 #include "murosimf/modules/motion/standing_pose.h"
@@ -28,10 +29,24 @@ inline SurfaceTable groundTable(double stiffness = 2e4) {
 /// What moves a robot.
 struct DynamicLevel {
   std::vector<std::string> modules;
+  std::map<std::string, double> parameters{};  ///< "module.parameter"
+  DynamicLevel with(const std::string& parameter, double value) const {
+    DynamicLevel changed = *this;
+    changed.parameters[parameter] = value;
+    return changed;
+  }
 };
 inline DynamicLevel multibody(const std::string& contact = "hunt_crossley_contact",
                               const std::string& integrator = "implicit_euler") {
   return {{"servo_controller", "position_servo", "tree_motion", contact, "multibody_dynamics", integrator}};
+}
+
+/// Modules of simplified dynamics; without `contact` for free flight.
+inline DynamicLevel simplified(const std::string& contact = "smooth_contact") {
+  DynamicLevel level{
+      {"tracking_servo", "prescribed_tree_motion", "simplified_dynamics", "body_accelerations", "momentum_midpoint"}};
+  if (!contact.empty()) level.modules.push_back(contact);
+  return level;
 }
 
 class DynamicWorld {
@@ -55,10 +70,11 @@ class DynamicWorld {
       d.readsIfAdded(kGyroscope), d.readsIfAdded(kAccelerometer);
       d.readsIfAdded(kSolePressure, subset::kSoles);
       d.readsIfAdded(kMeasuredTorque, subset::kJoints);
+      d.readsIfAdded(kServoTorque, subset::kJoints), d.readsIfAdded(kServoLoad, subset::kJoints);
     });
     Linker linker(world_, registry_, {step_, lanes});
     for (const ObjectId robot : robots_) {
-      for (const std::string& name : level.modules) linker.assign({robot, name, {}, {}});
+      for (const std::string& name : level.modules) linker.assign({robot, name, parametersOf(level, name), {}});
     }
     linker.attach({"driver", &driver, robots_});
     Diagnostics diagnostics;
@@ -91,10 +107,20 @@ class DynamicWorld {
   double upright(ObjectId robot) const { return base(robot).rotation.z.z; }
   double time() const { return static_cast<double>(frame_) * step_; }
   World& world() { return world_; }
+  ModuleRegistry& registry() { return registry_; }
   LinkedWorld& linked() { return *linked_; }
   const std::vector<ObjectId>& robots() const { return robots_; }
 
  private:
+  static WrittenParameters parametersOf(const DynamicLevel& level, const std::string& module) {
+    WrittenParameters written;
+    for (const auto& [name, value] : level.parameters) {
+      if (!name.starts_with(module + ".")) continue;
+      written.emplace(name.substr(module.size() + 1), WrittenParameter{{{value}, ""}, {}});
+    }
+    return written;
+  }
+
   double step_;
   World world_;
   ModuleRegistry registry_ = allModules();

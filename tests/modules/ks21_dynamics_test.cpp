@@ -5,13 +5,10 @@
 #include <cmath>
 #include <cstring>
 
-#include "modules/dynamic_world.h"
-#include "player/leg_inverse_kinematics.h"
+#include "modules/ks21_motions.h"
 
 namespace murosimf::motion {
 namespace {
-
-const std::vector<double> kReady = gait(0, {}, 0);  // walk-ready
 
 TEST(Ks21Dynamics, StandsForAMinuteWithinMillimetres) {
   for (const char* contact : {"hunt_crossley_contact", "smooth_contact"}) {
@@ -24,17 +21,6 @@ TEST(Ks21Dynamics, StandsForAMinuteWithinMillimetres) {
     EXPECT_LT(norm(world.base(robot).translation - settled.translation), 1e-3) << contact;
     EXPECT_GT(world.upright(robot), 0.99) << contact;
   }
-}
-
-/// Joint angles with the hips this far above the ankles, trunk leaning as when it walks.
-std::vector<double> squat(double height) {
-  std::vector<double> q = kReady;
-  const Rotation3 R = rotationY(-6.5 * kPi / 180);
-  const auto leg = controllers::solveLeg(R * Vector3{-0.012, 0, -height}, R).angles;
-  for (const std::size_t first : {std::size_t{9}, std::size_t{15}}) {
-    std::copy(leg.begin(), leg.end(), q.begin() + static_cast<std::ptrdiff_t>(first));
-  }
-  return q;
 }
 
 TEST(Ks21Dynamics, SquatsOnStiffSolesInStepsOfSixteenMilliseconds) {
@@ -56,24 +42,6 @@ TEST(Ks21Dynamics, SquatsOnStiffSolesInStepsOfSixteenMilliseconds) {
     EXPECT_LT(lowest, 0.16) << step;
     EXPECT_LT(fastest, 4) << step;  // the knees' own way is 2 rad/s
   }
-}
-
-/// Walks by the reference gait for `seconds`, after 2.5 s in which it gets going. @return poses of its base at both
-/// ends
-struct Way {
-  Pose begin, end;
-};
-Way walk(DynamicWorld& world, ObjectId robot, const controllers::WalkCommand& wanted, double seconds) {
-  constexpr double kPeriod = 0.52, kControl = 0.01;
-  Way way;
-  for (double t = 0; t < seconds + 2.5; t += kControl) {
-    const double amplitude = std::min(1.0, t / (2 * kPeriod)), share = std::clamp((t - 1) / 1.5, 0.0, 1.0);
-    world.command(robot, gait(t / kPeriod, {wanted.vx * share, wanted.vy * share, wanted.omega * share}, amplitude));
-    if (t < 2.5) way.begin = world.base(robot);
-    world.run(kControl);
-  }
-  way.end = world.base(robot);
-  return way;
 }
 
 TEST(Ks21Dynamics, WalksThreeMetresForwardNearlyAsFastAsCommanded) {

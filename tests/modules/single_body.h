@@ -34,9 +34,10 @@ class SingleBody {
  public:
   SingleBody(const RobotBlueprint& print, const SurfacePair& pair, double step, const std::string& contact,
              const std::string& integrator)
+      : SingleBody(print, pair, step, DynamicLevel{{"tree_motion", contact, "multibody_dynamics", integrator}}) {}
+  SingleBody(const RobotBlueprint& print, const SurfacePair& pair, double step, DynamicLevel level)
       : world_(step, onGround(pair)) {
     robot_ = world_.add("body", print, {});
-    DynamicLevel level{{"tree_motion", contact, "multibody_dynamics", integrator}};
     if (!print.model.imus.empty()) level.modules.emplace_back("dynamic_inertial_sensor");
     world_.link(level);
   }

@@ -38,15 +38,16 @@ struct GroundReaction {
 
 /// I += [r]x K [r]x^T and so on, for K = kt E + d up up^T.
 template <class S>
-inline void addPointMass(ArticulatedInertia<S>& a, const Vec3<S>& r, const Vec3<S>& up, S kt, S d) {
+MUROSIMF_INLINE void addPointMass(ArticulatedInertia<S>& a, const Vec3<S>& r, const Vec3<S>& up, S kt, S d) {
   const Vec3<S> arm = cross(r, up);
   const S square = squaredNorm(r);
-  const auto outer = [](Symmetric3<S>& m, const Vec3<S>& u, S scale) {
+  const auto outer = [](Symmetric3<S>& m, const Vec3<S>& u, S scale) MUROSIMF_INLINE_LAMBDA {
     const Vec3<S> s = u * scale;
     m.xx = fma(s.x, u.x, m.xx), m.yy = fma(s.y, u.y, m.yy), m.zz = fma(s.z, u.z, m.zz);
     m.xy = fma(s.x, u.y, m.xy), m.xz = fma(s.x, u.z, m.xz), m.yz = fma(s.y, u.z, m.yz);
   };
-  const auto diagonal = [](Symmetric3<S>& m, S value) { m.xx += value, m.yy += value, m.zz += value; };
+  const auto diagonal = [](Symmetric3<S>& m, S value)
+                            MUROSIMF_INLINE_LAMBDA { m.xx += value, m.yy += value, m.zz += value; };
   diagonal(a.M, kt);
   outer(a.M, up, d);
   diagonal(a.I, kt * square);
@@ -68,8 +69,8 @@ struct PointResponse {
 
 /// One point. @param h as in ground_law.h. Adds nothing where the point will not be below the ground.
 template <class S>
-inline PointResponse<S> addGroundPoint(const GroundShape& shape, const GroundedBody<S>& body, const Vec3<S>& r, S h,
-                                       GroundReaction<S>& sum) {
+MUROSIMF_INLINE PointResponse<S> addGroundPoint(const GroundShape& shape, const GroundedBody<S>& body, const Vec3<S>& r,
+                                                S h, GroundReaction<S>& sum) {
   const S height = body.height + dot(body.up, r);
   const Vec3<S> velocity = body.velocity.v + cross(body.velocity.w, r);
   const S speed = dot(velocity, body.up), depth_ahead = -fma(h, speed, height);
@@ -89,7 +90,7 @@ inline PointResponse<S> addGroundPoint(const GroundShape& shape, const GroundedB
 
 /// Whether any point of the shape may touch by the end of the step.
 template <class S>
-inline bool mayTouch(const GroundShape& shape, const GroundedBody<S>& body, S h) {
+MUROSIMF_INLINE bool mayTouch(const GroundShape& shape, const GroundedBody<S>& body, S h) {
   const double* p = shape.X_RS.numbers + 9;
   const Vec3<S> centre{S(p[0]), S(p[1]), S(p[2])};
   const Vec3<S>& w = body.velocity.w;
@@ -101,7 +102,8 @@ inline bool mayTouch(const GroundShape& shape, const GroundedBody<S>& body, S h)
 
 /// Turning friction of a shape that touches with one point: torque -s_nu f w, at the step's end.
 template <class S>
-inline void addTurningFriction(const SurfacePair& pair, const Vec3<S>& w, S normal, S h, GroundReaction<S>& sum) {
+MUROSIMF_INLINE void addTurningFriction(const SurfacePair& pair, const Vec3<S>& w, S normal, S h,
+                                        GroundReaction<S>& sum) {
   const S resistance = S(pair.turning_friction) * normal, inertia = h * resistance;
   sum.force.n -= w * resistance;
   sum.inertia.I.xx += inertia, sum.inertia.I.yy += inertia, sum.inertia.I.zz += inertia;
@@ -109,15 +111,16 @@ inline void addTurningFriction(const SurfacePair& pair, const Vec3<S>& w, S norm
 
 /// All points of one shape; visit(number, response) hears of each.
 template <class S, class Visit>
-inline void addGroundShape(const GroundShape& shape, const GroundedBody<S>& body, S h, GroundReaction<S>& sum,
-                           Visit&& visit) {
+MUROSIMF_INLINE void addGroundShape(const GroundShape& shape, const GroundedBody<S>& body, S h, GroundReaction<S>& sum,
+                                    Visit&& visit) {
   const Transform<S> X_BS = poseFrom<S>(shape.X_RS);
-  forGroundPoints(shape, applyTransposed(X_BS.rotation, body.up), [&](const Vec3<S>& p_S, int number) {
-    const PointResponse<S> response = addGroundPoint(shape, body, X_BS * p_S, h, sum);
-    visit(number, response);
-    if (shape.kind == GroundShape::Kind::kEllipsoid)
-      addTurningFriction(shape.pair, body.velocity.w, max(response.force, S(0)), h, sum);
-  });
+  forGroundPoints(shape, applyTransposed(X_BS.rotation, body.up),
+                  [&](const Vec3<S>& p_S, int number) MUROSIMF_INLINE_LAMBDA {
+                    const PointResponse<S> response = addGroundPoint(shape, body, X_BS * p_S, h, sum);
+                    visit(number, response);
+                    if (shape.kind == GroundShape::Kind::kEllipsoid)
+                      addTurningFriction(shape.pair, body.velocity.w, max(response.force, S(0)), h, sum);
+                  });
 }
 
 }  // namespace MUROSIMF_ISA

@@ -25,7 +25,7 @@ struct NormalForce {
 
 /// @param depth  x > 0
 template <class S>
-inline NormalForce<S> normalForce(const SurfacePair& pair, double stiffness, S depth, S speed) {
+MUROSIMF_INLINE NormalForce<S> normalForce(const SurfacePair& pair, double stiffness, S depth, S speed) {
   const S k(stiffness), one(1), zero(0), spring = k * depth;
   if (pair.normal_law == NormalLaw::kHuntCrossley) {
     const S d(pair.dissipation), factor = max(fnma(d, speed, one), zero);
@@ -42,7 +42,7 @@ inline NormalForce<S> normalForce(const SurfacePair& pair, double stiffness, S d
 
 /// c of the tangential force -c v_t that goes with a normal force [N s/m].
 template <class S>
-inline S tangentialDamping(const SurfacePair& pair, S normal_force, S tangential_speed) {
+MUROSIMF_INLINE S tangentialDamping(const SurfacePair& pair, S normal_force, S tangential_speed) {
   if (pair.friction_law == FrictionLaw::kViscous) return S(pair.viscous_friction) * normal_force;
   return S(pair.friction) * normal_force / max(tangential_speed, S(pair.stick_speed));
 }
@@ -57,8 +57,8 @@ struct GroundForce {
 /// @param touches  mask: where it is false, everything is zero
 /// @param h        length of a step that looks ahead, or 0 [s]
 template <class S, class Mask>
-inline GroundForce<S> groundForce(const SurfacePair& pair, double stiffness, Mask touches, S depth_ahead, S speed,
-                                  S tangential_speed, S h) {
+MUROSIMF_INLINE GroundForce<S> groundForce(const SurfacePair& pair, double stiffness, Mask touches, S depth_ahead,
+                                           S speed, S tangential_speed, S h) {
   const S zero(0);
   const NormalForce<S> law = normalForce(pair, stiffness, select(touches, depth_ahead, zero), speed);
   GroundForce<S> result;

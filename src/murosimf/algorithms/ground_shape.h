@@ -32,7 +32,7 @@ inline namespace MUROSIMF_ISA {
 
 /// Calls visit(p_S, number) for every candidate point, in the shape's axes; `up` is the world's z in them.
 template <class S, class Visit>
-inline void forCorners(const GroundShape& shape, Visit&& visit) {
+MUROSIMF_INLINE void forCorners(const GroundShape& shape, Visit&& visit) {
   for (int i = 0; i < 8; ++i) {  // the four of the lower face first
     const double x = (i & 1) != 0 ? shape.half_size[0] : -shape.half_size[0];
     const double y = (i & 2) != 0 ? shape.half_size[1] : -shape.half_size[1];
@@ -41,14 +41,14 @@ inline void forCorners(const GroundShape& shape, Visit&& visit) {
   }
 }
 template <class S, class Visit>
-inline void forDeepestPoint(const GroundShape& shape, const Vec3<S>& up, Visit&& visit) {
+MUROSIMF_INLINE void forDeepestPoint(const GroundShape& shape, const Vec3<S>& up, Visit&& visit) {
   const S a(shape.half_size[0]), b(shape.half_size[1]), c(shape.half_size[2]);
   const Vec3<S> scaled{a * up.x, b * up.y, c * up.z};
   const S per_length = S(-1) / sqrt(squaredNorm(scaled));
   visit(Vec3<S>{a * scaled.x * per_length, b * scaled.y * per_length, c * scaled.z * per_length}, 0);
 }
 template <class S, class Visit>
-inline void forRims(const GroundShape& shape, const Vec3<S>& up, Visit&& visit) {
+MUROSIMF_INLINE void forRims(const GroundShape& shape, const Vec3<S>& up, Visit&& visit) {
   constexpr double kHalf = 0.5, kSineOfThird = 0.86602540378443864676;
   constexpr double kUpright = 1e-9;  // tilts smaller than this have no lowest side
   const S radius(shape.half_size[0]), tilt = sqrt(fma(up.x, up.x, up.y * up.y));
@@ -64,7 +64,7 @@ inline void forRims(const GroundShape& shape, const Vec3<S>& up, Visit&& visit) 
   }
 }
 template <class S, class Visit>
-inline void forGroundPoints(const GroundShape& shape, const Vec3<S>& up, Visit&& visit) {
+MUROSIMF_INLINE void forGroundPoints(const GroundShape& shape, const Vec3<S>& up, Visit&& visit) {
   if (shape.kind == GroundShape::Kind::kBox) return forCorners<S>(shape, visit);
   if (shape.kind == GroundShape::Kind::kEllipsoid) return forDeepestPoint(shape, up, visit);
   return forRims(shape, up, visit);

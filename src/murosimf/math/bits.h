@@ -55,6 +55,20 @@ inline Pack<double, W> powerOfTwo(Pack<double, W> k) {
   return Pack<double, W>(reinterpret_cast<typename Pack<double, W>::Vector>(bits));
 }
 
+/// Whether any of these numbers is not +0, in any lane.
+inline bool anyBits(const double* numbers, int count) {
+  long long bits = 0;
+  for (int i = 0; i < count; ++i) bits |= __builtin_bit_cast(long long, numbers[i]);
+  return bits != 0;
+}
+template <int W>
+inline bool anyBits(const Pack<double, W>* numbers, int count) {
+  using Words = typename Mask<double, W>::Vector;
+  Words bits{};
+  for (int i = 0; i < count; ++i) bits |= reinterpret_cast<Words>(numbers[i].v);
+  return any(Mask<double, W>{bits != 0});
+}
+
 /// x = mantissa 2^exponent with mantissa in [1, 2), for a positive normal x.
 template <class S>
 struct MantissaExponent {

@@ -7,11 +7,17 @@
 #include "murosimf/modules/actuation/joint_limits.h"
 #include "murosimf/modules/actuation/position_servo.h"
 #include "murosimf/modules/actuation/servo_controller.h"
+#include "murosimf/modules/actuation/tracking_servo.h"
 #include "murosimf/modules/contact/ground_contact.h"
+#include "murosimf/modules/dynamics/body_accelerations.h"
 #include "murosimf/modules/dynamics/multibody_dynamics.h"
+#include "murosimf/modules/dynamics/prescribed_tree_motion.h"
+#include "murosimf/modules/dynamics/simplified_dynamics.h"
+#include "murosimf/modules/dynamics/torque_estimate.h"
 #include "murosimf/modules/dynamics/tree_motion.h"
 #include "murosimf/modules/integration/dormand_prince.h"
 #include "murosimf/modules/integration/euler.h"
+#include "murosimf/modules/integration/momentum_midpoint.h"
 #include "murosimf/modules/integration/runge_kutta.h"
 #include "murosimf/modules/kinematics/body_poses.h"
 #include "murosimf/modules/motion/kinematic_walking.h"
@@ -34,6 +40,8 @@ ModuleRegistry allModules() {
   all.add<JointLimitStops>("joint_limits", "limits", "springs and dampers at the ends of the joints' ranges",
                            JointLimitStops::parameters());
   all.add<JointFriction>("joint_friction", "friction", "dry friction in joints", JointFriction::parameters());
+  all.add<TrackingServo>("tracking_servo", "actuation", "servos that hold the rate that brings them to the command",
+                         TrackingServo::parameters());
   all.add<KinematicWalking>("kinematic_walking", "motion", "the stance foot is pinned to the ground",
                             KinematicWalking::parameters());
   all.add<BodyPoses>("body_poses", "kinematics", "world poses of all bodies");
@@ -43,6 +51,11 @@ ModuleRegistry allModules() {
   all.add<PaperContact>("paper_contact", "contact", "ground: the paper's law, viscous friction");
   all.add<GroundContact>("ground_contact", "contact", "ground: the laws of the scenario's table of surfaces");
   all.add<MultibodyDynamics>("multibody_dynamics", "motion", "every body has its mass, every joint its torque");
+  all.add<PrescribedTreeMotion>("prescribed_tree_motion", "velocities", "the one of simplified dynamics");
+  all.add<SimplifiedDynamics>("simplified_dynamics", "motion", "joints move as prescribed, the whole robot is one body",
+                              SimplifiedDynamics::parameters());
+  all.add<BodyAccelerations>("body_accelerations", "accelerations", "of all bodies, for sensors");
+  all.add<TorqueEstimate>("torque_estimate", "load", "what servos would need that follow whatever the load");
   all.add<ImplicitEuler>("implicit_euler", "integration", "forces look ahead to the end of the step; order 1");
   all.add<SemiImplicitEuler>("semi_implicit_euler", "integration",
                              "moves with the velocity at the step's end; order 1");
@@ -51,6 +64,7 @@ ModuleRegistry allModules() {
   all.add<RungeKutta4>("runge_kutta_4", "integration", "four evaluations a step; order 4");
   all.add<DormandPrince>("dormand_prince", "integration", "steps as the wanted accuracy allows; order 5",
                          DormandPrince::parameters());
+  all.add<MomentumMidpoint>("momentum_midpoint", "integration", "momentum is kept; the one of simplified dynamics");
   all.add<InertialSensor>("inertial_sensor", "sensing", "gyroscope and accelerometer from how the body moved");
   all.add<DynamicInertialSensor>("dynamic_inertial_sensor", "sensing", "gyroscope and accelerometer from the dynamics");
   all.add<FootPressure>("foot_pressure", "pressure", "forces under the four corners of each sole");

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "murosimf/algorithms/camera_model.h"
+#include "murosimf/algorithms/centroidal_motion.h"
 #include "murosimf/algorithms/corner_forces.h"
 #include "murosimf/algorithms/ray_scene.h"
 #include "murosimf/algorithms/shape.h"
@@ -118,6 +119,12 @@ inline constexpr Variable<double> kFlight{"flight", "1", "1 when the pinned foot
 
 inline constexpr Variable<ServoCommand> kServoDemand{"servo_demand", "SI",
                                                      "what a servo's electronics ask of its motor"};
+inline constexpr Variable<double> kJointRateDemand{"joint_rate_demand", "rad/s",
+                                                   "joint velocity that a servo holds over the step"};
+inline constexpr Variable<double> kServoTorque{"servo_torque", "N m", "that the servo needed for its motion",
+                                               Storage::kKept};
+inline constexpr Variable<double> kServoLoad{"servo_load", "1", "size of servo_torque over stall_torque",
+                                             Storage::kKept};
 
 // Variables that live while an integrator evaluates forces; everything of a body in its own axes, about its origin.
 inline constexpr Variable<SinCos<double>> kJointTurn{"joint_turn", "1", "sine and cosine of q; sliding: q [m] and 1",
@@ -145,6 +152,19 @@ inline constexpr Variable<double> kSubsteps{"substeps", "1", "steps of the integ
 inline constexpr Variable<double> kIntegrationFault{"integration_fault", "1", "1: it stopped before the frame's end",
                                                     Storage::kKept};
 
+// What simplified dynamics keeps from one step for the next one.
+inline constexpr Variable<SinCos<double>> kTurnAhead{"turn_ahead", "1", "joint_turn at the end of the step",
+                                                     Storage::kKept};
+inline constexpr Variable<double> kPositionAhead{"position_ahead", "rad or m", "joint_position of turn_ahead",
+                                                 Storage::kKept};
+inline constexpr Variable<double> kVelocityAhead{"velocity_ahead", "rad/s or m/s", "joint_velocity then",
+                                                 Storage::kKept};
+inline constexpr Variable<double> kJointsKept{"joints_kept", "1", "1 where nobody has moved joints since the last step",
+                                              Storage::kStep};
+inline constexpr Variable<SpatialMotion<double>> kBaseAcceleration{
+    "base_acceleration", "SI", "proper, of the base, whose joints move as prescribed", Storage::kStep};
+inline constexpr Variable<CentroidalStep<double>> kCentroidalStep{
+    "centroidal_step", "SI", "momentum, forces and composite inertia over the step", Storage::kStep};
 inline constexpr Variable<ArticulatedInertia<double>> kContactInertia{
     "contact_inertia", "SI", "what contacts add to a body's inertia in a step that looks ahead", Storage::kStep};
 inline constexpr Variable<double> kContactTouch{"contact_touch", "1", "1 where contact_inertia holds", Storage::kStep};

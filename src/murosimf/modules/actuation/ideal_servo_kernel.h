@@ -3,7 +3,7 @@
 /// @file Kernel of ideal_servo.h.
 
 #include "murosimf/linking/kernel.h"
-#include "murosimf/modules/actuation/command_lanes.h"
+#include "murosimf/modules/actuation/joint_goal.h"
 
 namespace murosimf {
 
@@ -27,11 +27,9 @@ void idealServo(const IdealServoArguments& a, const BlockMemory& block, const St
   const S* fastest = columnAt<S, S>(block, a.largest_velocity);
   const S dt(time.dt);
   for (int j = 0; j < a.joints; ++j) {
-    const S demanded = select(command[j].kp > S(0), command[j].position, q[j]);
-    const S limit = select(command[j].velocity > S(0), min(command[j].velocity, fastest[j]), fastest[j]) * dt;
-    const S wanted = clamp(demanded, lower[j], upper[j]);
-    const S difference = wanted - q[j];
-    const S next = select(abs(difference) <= limit, wanted, q[j] + withSignOf(limit, difference));
+    const JointGoal<S> goal = jointGoal(command[j], q[j], lower[j], upper[j], fastest[j]);
+    const S limit = goal.speed * dt, difference = goal.position - q[j];
+    const S next = select(abs(difference) <= limit, goal.position, q[j] + withSignOf(limit, difference));
     v[j] = (next - q[j]) / dt;
     q[j] = next;
   }

@@ -21,7 +21,7 @@ inline namespace MUROSIMF_ISA {
 
 /// A body may carry several shapes: the first that touches begins its sum.
 template <class S>
-inline void addInertia(ArticulatedInertia<S>& body, S& touch, const GroundReaction<S>& sum) {
+MUROSIMF_INLINE void addInertia(ArticulatedInertia<S>& body, S& touch, const GroundReaction<S>& sum) {
   if (any(touch > S(0))) {
     body += sum.inertia;
   } else {
@@ -43,7 +43,7 @@ void groundContact(const GroundContactArguments& a, const BlockMemory& block, co
     const GroundedBody<S> body{twist[shape.row], up[shape.row], height[shape.row]};
     if (!mayTouch(shape, body, h)) continue;
     GroundReaction<S> sum;
-    addGroundShape(shape, body, h, sum, [&](int point, const PointResponse<S>& response) {
+    addGroundShape(shape, body, h, sum, [&](int point, const PointResponse<S>& response) MUROSIMF_INLINE_LAMBDA {
       if (shape.sole < 0 || point >= 4) return;
       soles[shape.sole].force.of[point] += response.force;
       soles[shape.sole].mass.of[point] += response.mass;

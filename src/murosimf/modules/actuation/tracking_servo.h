@@ -1,0 +1,39 @@
+#pragma once
+
+/// @file Servos that hold the joint rate that brings them to the command, whatever the load: simplified dynamics'.
+///
+/// Model      dq = clamp((clamp(q_cmd, lower, upper) - q) / max(dt, lag), +-v_max), held over the step. The lag is that
+///            of the servo, kd/kp of the robot file: what is left of tau = kp (q_cmd - q) - kd dq where mass does not
+///            count. v_max is the servo's no-load speed, or the command's own speed limit where that is smaller and
+///            positive. A command with kp = 0 asks for nothing: the joint stays where it is. With a largest
+///            acceleration a the rate changes by at most a dt a step, and slows down early enough to stop at the
+///            command.
+/// Phase      kPrescribe: before contacts and forces are found.
+/// Needs      lower_limit, upper_limit, largest_velocity of the joints; servo_kp and servo_kd where it has them.
+/// Adds       joint_rate_demand; moves nothing.
+/// Parameters `lag` [s] of all joints, -1: each servo's own; `largest_acceleration` [rad/s^2], 0: any.
+/// Cost       about 15 operations a joint.
+
+#include "murosimf/linking/module.h"
+#include "murosimf/modules/actuation/tracking_servo_kernel.h"
+
+namespace murosimf {
+
+class TrackingServo final : public BlockModule {
+ public:
+  static std::vector<ParameterInfo> parameters();
+  explicit TrackingServo(const ParameterValues& values);
+  void declare(Declaration& declaration) const override;
+  void link(Links& links) override;
+  void initialise(const BlockMemory& block) const override;
+  void step(const BlockMemory& block, const StepTime& time) const override { kernel_(arguments_, block, time); }
+
+ private:
+  double lag_;
+  TrackingServoArguments arguments_;
+  ColumnRef stiffness_, damping_;
+  int width_ = 1;
+  KernelSet<TrackingServoArguments>::Kernel kernel_ = nullptr;
+};
+
+}  // namespace murosimf
