@@ -73,7 +73,7 @@ std::vector<Row> moreJoints(const Level& level) {
 std::vector<Part> growthParts() {
   std::vector<Part> parts;
   for (const int lanes : laneWidths()) parts.emplace_back([lanes] { return std::vector<Row>{thousandRobots(lanes)}; });
-  for (const Level& level : {multibodyLevel(), kinematicLevel()}) {
+  for (const Level& level : {multibodyLevel(), simplifiedLevel(), kinematicLevel()}) {
     parts.emplace_back([level] { return moreJoints(level); });
   }
   return parts;

@@ -35,6 +35,12 @@ Level multibodyLevel() {
            "dynamic_inertial_sensor", "implicit_euler"}};
 }
 
+Level simplifiedLevel() {
+  return {"simplified",
+          {"tracking_servo", "prescribed_tree_motion", "hunt_crossley_contact", "simplified_dynamics",
+           "body_accelerations", "dynamic_inertial_sensor", "momentum_midpoint"}};
+}
+
 Level kinematicLevel() { return {"kinematic", {"ideal_servo", "kinematic_walking", "body_poses", "inertial_sensor"}}; }
 
 void Stance::require(double standing_height, const std::string& whose) const {

@@ -19,6 +19,7 @@ struct Level {
   std::vector<std::string> modules;
 };
 Level multibodyLevel();
+Level simplifiedLevel();  ///< version 2
 Level kinematicLevel();
 
 /// How the robots of a team stand: all must, or there is nothing to compare.

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "murosimf/scene/module_choice.h"
 
 namespace murosimf {
 
@@ -106,6 +109,26 @@ void addPercepts(nlohmann::ordered_json& report, const PerceptStatistics& statis
   report["perception"]["all"] = perceptFigures(statistics.allTogether(), "all");
   for (const PerceptResult& result : statistics.results()) {
     report["perception"]["robots"].push_back(perceptFigures(result, simulation.world().path(result.robot)));
+  }
+}
+
+void addExchanges(nlohmann::ordered_json& report, const Scene& scene, const ExchangeStatistics& statistics,
+                  const Simulation& simulation) {
+  for (const ExchangeStatistics::Robot& robot : statistics.robots()) {
+    const std::string& path = simulation.world().path(robot.object);
+    const auto settings = std::find_if(scene.robots.begin(), scene.robots.end(),
+                                       [&](const RobotSettings& r) { return r.path() == path; });
+    Diagnostics told_already;
+    const MotionPlan plan = motionPlanOf(*settings, told_already);
+    nlohmann::ordered_json seconds;
+    for (std::size_t level = 0; level < robot.frames.size(); ++level) {
+      seconds[plan.motions[level]] = static_cast<double>(robot.frames[level]) * simulation.frameLength();
+    }
+    report["levels"].push_back({{"robot", path},
+                                {"seconds", seconds},
+                                {"exchanges", robot.exchanges},
+                                {"largest_flattened_turn_deg", degrees(robot.largest_turn)},
+                                {"largest_flattened_shift", robot.largest_shift}});
   }
 }
 

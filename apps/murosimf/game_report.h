@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "murosimf/scene/scene.h"
+#include "murosimf/simulation/exchange_statistics.h"
 #include "murosimf/simulation/pacer.h"
 #include "murosimf/soccer/match_statistics.h"
 #include "murosimf/soccer/percept_statistics.h"
@@ -15,6 +17,9 @@ namespace murosimf {
 void addMatch(nlohmann::ordered_json& report, const Referee& referee, const MatchStatistics& statistics);
 /// Per robot: recall, precision and distance error of the ball, error of the self-localisation.
 void addPercepts(nlohmann::ordered_json& report, const PerceptStatistics& statistics, const Simulation& simulation);
+/// Per robot with several levels of detail: seconds at each, exchanges, and what kinematic walking flattened at most.
+void addExchanges(nlohmann::ordered_json& report, const Scene& scene, const ExchangeStatistics& statistics,
+                  const Simulation& simulation);
 nlohmann::ordered_json paceFigures(const PaceReport& pace);
 
 }  // namespace murosimf

@@ -71,6 +71,8 @@ void Run::addObservers() {
   }
   keeper_ = std::make_unique<PerceptKeeper>(control);
   control.observe(keeper_.get());
+  exchanges_ = std::make_unique<ExchangeStatistics>(*simulation_);
+  simulation_->observe(exchanges_.get());
   simulation_->observe(&hashes_);
   const std::string record = chosenFile(arguments_.record, *scene_.output.record);
   if (!record.empty()) {
@@ -134,6 +136,7 @@ nlohmann::ordered_json Run::report() {
   if (pacer_ != nullptr) report["pace"] = paceFigures(pacer_->report());
   if (referee_ != nullptr) addMatch(report, *referee_, *match_);
   if (percepts_ != nullptr) addPercepts(report, *percepts_, *simulation_);
+  addExchanges(report, scene_, *exchanges_, *simulation_);
   return report;
 }
 

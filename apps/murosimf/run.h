@@ -8,6 +8,7 @@
 #include "murosimf/commands.h"
 #include "murosimf/game.h"
 #include "murosimf/report.h"
+#include "murosimf/simulation/exchange_statistics.h"
 #include "murosimf/simulation/film.h"
 #include "murosimf/simulation/pacer.h"
 #include "murosimf/simulation/percept_overlay.h"
@@ -49,6 +50,7 @@ class Run {
   std::unique_ptr<MatchStatistics> match_;
   std::unique_ptr<PerceptStatistics> percepts_;
   std::unique_ptr<PerceptKeeper> keeper_;
+  std::unique_ptr<ExchangeStatistics> exchanges_;
   std::unique_ptr<Recorder> recorder_;
   std::unique_ptr<Film> film_;
   std::unique_ptr<Pacer> pacer_;

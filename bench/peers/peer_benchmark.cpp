@@ -116,7 +116,8 @@ std::vector<Row> againstOde(const Level& level, int robots, const std::vector<in
 std::vector<Part> peerParts() {
   return {[] { return againstMujoco(multibodyLevel(), 24, laneWidths()); },
           [] { return againstMujoco(multibodyLevel(), 1, {1}); },
-          [] { return againstOde(multibodyLevel(), 24, laneWidths()); }};
+          [] { return againstOde(multibodyLevel(), 24, laneWidths()); },
+          [] { return againstOde(simplifiedLevel(), 24, laneWidths()); }};
 }
 
 }  // namespace murosimf::bench

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "modules/single_body.h"
-#include "murosimf/modules/sensing/joint_torque_sensor.h"
 
 namespace murosimf::motion {
 namespace {

@@ -8,7 +8,6 @@
 
 #include "modules/motion_world.h"
 #include "murosimf/modules/motion/standing_pose.h"
-#include "murosimf/modules/sensing/joint_torque_sensor.h"
 
 namespace murosimf::motion {
 
@@ -69,8 +68,7 @@ class DynamicWorld {
       d.reads(kBasePose);
       d.readsIfAdded(kGyroscope), d.readsIfAdded(kAccelerometer);
       d.readsIfAdded(kSolePressure, subset::kSoles);
-      d.readsIfAdded(kMeasuredTorque, subset::kJoints);
-      d.readsIfAdded(kServoTorque, subset::kJoints), d.readsIfAdded(kServoLoad, subset::kJoints);
+      d.readsIfAdded(kMeasuredTorque, subset::kJoints), d.readsIfAdded(kServoLoad, subset::kJoints);
     });
     Linker linker(world_, registry_, {step_, lanes});
     for (const ObjectId robot : robots_) {

@@ -128,7 +128,7 @@ TEST(TorqueEstimate, LiftNeedsTheForceThatCarriesAndAcceleratesItsWeight) {
   level.modules.push_back("torque_estimate");
   Lift lift(level);
   const double force = kArm * (kG + Lift::kAcceleration);
-  EXPECT_NEAR(lift.world().get(lift.robot(), kServoTorque, subset::kJoints), force, 1e-4 * force);
+  EXPECT_NEAR(lift.world().get(lift.robot(), kMeasuredTorque, subset::kJoints), force, 1e-4 * force);
   EXPECT_NEAR(lift.world().get(lift.robot(), kServoLoad, subset::kJoints), force / 10, 1e-5 * force);
 }
 

@@ -40,7 +40,7 @@ const std::map<std::string, std::vector<std::string>> kExpected = {
     {"pose_with_two_numbers",
      {"3:8: error: pose is an array of 2 values, expected [x, y, heading] or {x = ..., y = ..., heading = ...}"}},
     {"reserved_level",
-     {"3:9: error: level \"fast\" comes with a later version, available now: \"kinematic\", \"full\""}},
+     {"3:9: error: level \"oracle\" comes with a later version, available now: \"kinematic\", \"fast\", \"full\""}},
     {"robot_file_missing", {"2:8: error: there is no robot file \"robots/ks12.urdf\", looked for from "}},
     {"same_goal",
      {"5:11: error: both teams attack the same goal, expected attacks = \"+x\" for one of them and \"-x\" for the "
@@ -51,7 +51,7 @@ const std::map<std::string, std::vector<std::string>> kExpected = {
      {"3:1: error: unknown key \"brightnes\" in field, expected one of its 19 keys (did you mean \"brightness\"?)",
       "5:2: error: unknown key \"balls\", expected \"simulation\", \"field\", \"ball\", \"surfaces\", \"teams\", "
       "\"robots\", \"referee\" or \"output\" (did you mean \"ball\"?)",
-      "11:1: error: unknown key \"moton\" in robots.red.1, expected one of its 22 keys (did you mean \"motion\"?)"}},
+      "11:1: error: unknown key \"moton\" in robots.red.1, expected one of its 24 keys (did you mean \"motion\"?)"}},
     {"unknown_preset",
      {"2:10: error: preset is text \"2025_kit\", expected \"2007\" or \"2025_kid\" (did you mean \"2025_kid\"?)"}},
     {"unknown_team",
@@ -128,7 +128,7 @@ TEST(BrokenScenarios, AMistakeInDefaultsIsToldEvenIfEveryRobotOverridesIt) {
   const auto said = complaints("[teams.red]\nlevel = \"kinematik\"\n" + kTwoRobots, {"robots.red.1.level=kinematic"});
   ASSERT_EQ(said.size(), 1u);
   EXPECT_EQ(said[0],
-            "2:9: level is text \"kinematik\", expected \"kinematic\" or \"full\" (did you mean \"kinematic\"?)");
+            "2:9: level is text \"kinematik\", expected \"kinematic\", \"fast\" or \"full\" (did you mean \"kinematic\"?)");
 }
 
 TEST(BrokenScenarios, StartPosesDoNotStandAmongDefaults) {

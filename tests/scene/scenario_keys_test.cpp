@@ -20,7 +20,8 @@ std::string pathOf(const ScenarioKey& key) {
   const std::pair<const char*, const char*> examples[] = {
       {"robots.TEAM.NUMBER", "robots.red.1"}, {"teams.TEAM", "teams.red"},
       {"surfaces.A-B", "surfaces.ball-turf"}, {"MODULE", "robots.red.1.motion"},
-      {"CONTROL", "robots.red.1.control"},    {"POSE", "robots.red.1.pose"}};
+      {"CONTROL", "robots.red.1.control"},    {"POSE", "robots.red.1.pose"},
+      {"FOCUS", "robots.red.1.focus"}};
   for (const auto& [section, path] : examples)
     if (key.section == section) return std::string(path) + "." + std::string(key.key);
   return std::string(key.section) + "." + std::string(key.key);
@@ -59,11 +60,22 @@ TEST(ScenarioKeys, DefaultsOfTheTableAreThoseOfTheReader) {
   for (const ScenarioKey& key : scenarioKeys()) {
     if (key.fallback.empty() || key.section == "MODULE" || key.section == "POSE") continue;
     if (key.section == "surfaces.A-B" && kBuiltInForPair.count(key.key) == 0) continue;
+    if (key.section == "FOCUS") continue;
     const Scene scene = readGood(kTwoRobots, {pathOf(key) + "=" + std::string(key.fallback)});
     EXPECT_EQ(writeScenario(scene), without) << pathOf(key);
     ++checked;
   }
   EXPECT_GT(checked, 30);
+}
+
+TEST(ScenarioKeys, DefaultsOfAFocusAreThoseOfTheReader) {
+  const std::string focus = "robots.red.1.focus=\"multibody_dynamics\"",
+                    without = writeScenario(readGood(kTwoRobots, {focus}));
+  for (const ScenarioKey& key : scenarioKeys()) {
+    if (key.section != "FOCUS") continue;
+    const Scene scene = readGood(kTwoRobots, {focus, pathOf(key) + "=" + std::string(key.fallback)});
+    EXPECT_EQ(writeScenario(scene), without) << pathOf(key);
+  }
 }
 
 TEST(ScenarioKeys, EveryWordOfTheTableIsTaken) {

@@ -32,17 +32,19 @@ TEST(FrameInterventions, TheLastRequestForAnObjectWins) {
   EXPECT_NEAR(team.base(0).translation.y, 1, 1e-12);
 }
 
-TEST(FrameInterventions, AreLoggedInTheOrderOfFramesAndNames) {
+TEST(FrameInterventions, AreAppliedInTheOrderOfFramesAndNames) {
   WalkingTeam team(standing(), {.ball = false});
   InterventionQueue& queue = team.simulation().interventions();
   queue.placeRobot(8, team.robot(0), {2, 0, 0});  // red
   queue.placeRobot(7, team.robot(0), {2, 1, 0});
   queue.placeRobot(8, team.robot(1), {-2, 0, 0});  // blue: before red by name
-  team.frames(9);
-  ASSERT_EQ(queue.log().size(), 5U);  // two at the start
-  EXPECT_EQ(queue.log()[2].frame, 7);
-  EXPECT_EQ(queue.log()[3].intervention.object, team.robot(1));
-  EXPECT_EQ(queue.log()[4].intervention.object, team.robot(0));
+  team.frames(8);
+  ASSERT_EQ(queue.applied().size(), 1U);
+  EXPECT_EQ(queue.applied()[0].frame, 7);
+  team.frames(1);
+  ASSERT_EQ(queue.applied().size(), 2U);
+  EXPECT_EQ(queue.applied()[0].intervention.object, team.robot(1));
+  EXPECT_EQ(queue.applied()[1].intervention.object, team.robot(0));
 }
 
 TEST(FrameInterventions, TheOrderOfRequestsForDifferentObjectsDoesNotMatter) {

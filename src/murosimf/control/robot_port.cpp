@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "murosimf/modules/sensing/joint_torque_sensor.h"
-
 namespace murosimf {
 
 namespace {

@@ -55,7 +55,7 @@ ModuleRegistry allModules() {
   all.add<SimplifiedDynamics>("simplified_dynamics", "motion", "joints move as prescribed, the whole robot is one body",
                               SimplifiedDynamics::parameters());
   all.add<BodyAccelerations>("body_accelerations", "accelerations", "of all bodies, for sensors");
-  all.add<TorqueEstimate>("torque_estimate", "load", "what servos would need that follow whatever the load");
+  all.add<TorqueEstimate>("torque_estimate", "torque", "what servos would need that follow whatever the load");
   all.add<ImplicitEuler>("implicit_euler", "integration", "forces look ahead to the end of the step; order 1");
   all.add<SemiImplicitEuler>("semi_implicit_euler", "integration",
                              "moves with the velocity at the step's end; order 1");

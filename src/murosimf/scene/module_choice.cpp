@@ -22,6 +22,16 @@ constexpr Slot kMultibodySlots[] = {
     {"contact", "hunt_crossley_contact"}, {"motion", "multibody_dynamics"},  {"sensing", "dynamic_inertial_sensor"},
     {"pressure", "foot_pressure"},        {"torque", "joint_torque_sensor"}, {"limits", "joint_limits"},
     {"integration", "implicit_euler"},    {"kinematics", "body_poses"}};
+constexpr Slot kSimplifiedSlots[] = {{"velocities", "prescribed_tree_motion"},
+                                     {"actuation", "tracking_servo"},
+                                     {"contact", "hunt_crossley_contact"},
+                                     {"motion", "simplified_dynamics"},
+                                     {"accelerations", "body_accelerations"},
+                                     {"sensing", "dynamic_inertial_sensor"},
+                                     {"pressure", "foot_pressure"},
+                                     {"torque", "torque_estimate"},
+                                     {"integration", "momentum_midpoint"},
+                                     {"kinematics", "body_poses"}};
 /// A level of detail: a motion module, and the modules that go with it.
 struct Level {
   std::string_view name, motion;
@@ -29,6 +39,7 @@ struct Level {
   double period;  ///< [s]; 0: every frame
 };
 constexpr Level kLevels[] = {{"kinematic", "kinematic_walking", kKinematicSlots, 0.01},
+                             {"fast", "simplified_dynamics", kSimplifiedSlots, 0},
                              {"full", "multibody_dynamics", kMultibodySlots, 0}};
 constexpr std::string_view kExtraModule = "modules.";
 
@@ -50,14 +61,6 @@ const ModuleChoice* choiceFor(const RobotSettings& robot, std::string_view slot)
   const auto found = std::find_if(robot.modules.begin(), robot.modules.end(),
                                   [&](const ModuleChoice& choice) { return choice.slot == slot; });
   return found == robot.modules.end() ? nullptr : &*found;
-}
-
-/// Where a choice was written: its module, or else the first thing that was said of it.
-SourceLocation placeOf(const ModuleChoice& choice, const RobotSettings& robot) {
-  if (choice.module.given()) return choice.module.where;
-  if (choice.period.given()) return choice.period.where;
-  if (choice.phase.given()) return choice.phase.where;
-  return choice.parameters.empty() ? robot.where : choice.parameters.front().name_where;
 }
 
 const Level& levelNamed(std::string_view name) {
@@ -101,6 +104,13 @@ void refusePhase(const RobotSettings& robot, const ModuleChoice& choice, Diagnos
 }
 
 }  // namespace
+
+SourceLocation placeOf(const ModuleChoice& choice, const RobotSettings& robot) {
+  if (choice.module.given()) return choice.module.where;
+  if (choice.period.given()) return choice.period.where;
+  if (choice.phase.given()) return choice.phase.where;
+  return choice.parameters.empty() ? robot.where : choice.parameters.front().name_where;
+}
 
 WrittenValue writtenValue(const SceneValue& value) {
   if (const auto* number = std::get_if<double>(&value)) return {{*number}, ""};
@@ -153,19 +163,26 @@ class LevelChoice {
     assignments_.push_back(assignmentOf(std::move(module), choice, period(), robot_.where));
     assignments_.back().level = number_;
   }
-  void fill(const Slot& slot) {
+  /// Where the module of a slot was chosen; nothing where the level brings it.
+  const SourceLocation* placeOf(const Slot& slot) const {
+    const bool focused = slot.name == "motion" && robot_.focus && motion_ == *robot_.focus->motion;
+    if (focused) return &robot_.focus->motion.where;
     const ModuleChoice* choice = choiceFor(robot_, slot.name);
+    return choice == nullptr ? nullptr : &choice->module.where;
+  }
+  void fill(const Slot& slot) {
+    const SourceLocation* place = placeOf(slot);
     const std::string module = moduleFor(slot);
     if (module == "none") return;
     const ModuleEntry* entry = registry_.find(module);
-    if (entry == nullptr && choice != nullptr) {
+    if (entry == nullptr && place != nullptr) {
       const std::vector<std::string> known = modulesFor(slot.name, registry_);
-      diagnostics_.error(choice->module.where,
-                         fmt::format("{}: unknown module \"{}\" for {}; expected none or one of {}{}", robot_.path(),
-                                     module, slot.name, fmt::join(known, ", "), didYouMean(module, known)));
+      diagnostics_.error(
+          *place, fmt::format("{}: unknown module \"{}\" for {}; expected none or one of {}{}", robot_.path(), module,
+                              slot.name, fmt::join(known, ", "), didYouMean(module, known)));
     } else if (entry != nullptr && entry->concern != slot.name) {
       diagnostics_.error(
-          choice == nullptr ? robot_.where : choice->module.where,
+          place == nullptr ? robot_.where : *place,
           fmt::format("{}: module {} is for {}, not for {}", robot_.path(), module, entry->concern, slot.name));
     } else {
       assign(module, choiceOf(slot.name));
@@ -202,10 +219,32 @@ void refuseUnknownSlots(const RobotSettings& robot, const MotionPlan& plan, Diag
 
 }  // namespace
 
+namespace {
+
+void addFocus(const RobotSettings& robot, MotionPlan& plan, Diagnostics& diagnostics) {
+  if (!plan.changes.empty()) {
+    diagnostics.error(robot.focus->where,
+                      fmt::format("{}: focus chooses the motion by distances, and motion does by times; expected one "
+                                  "of them",
+                                  robot.path()));
+  }
+  if (*robot.focus->motion == plan.motions.front()) {
+    diagnostics.error(robot.focus->motion.where, fmt::format("{}: focus has the robot's usual motion \"{}\"; expected "
+                                                             "another one",
+                                                             robot.path(), *robot.focus->motion));
+  }
+  plan.near_level = plan.levelWith(*robot.focus->motion);
+}
+
+}  // namespace
+
 MotionPlan motionPlanOf(const RobotSettings& robot, Diagnostics& diagnostics) {
   const std::string usual(levelNamed(*robot.level).motion);
   const ModuleChoice* choice = choiceFor(robot, "motion");
-  return readMotionPlan(choice == nullptr ? Located<std::string>{} : choice->module, usual, robot.path(), diagnostics);
+  MotionPlan plan =
+      readMotionPlan(choice == nullptr ? Located<std::string>{} : choice->module, usual, robot.path(), diagnostics);
+  if (robot.focus) addFocus(robot, plan, diagnostics);
+  return plan;
 }
 
 std::vector<Assignment> modulesOf(const RobotSettings& robot, const MotionPlan& plan, const ModuleRegistry& registry,
@@ -217,82 +256,6 @@ std::vector<Assignment> modulesOf(const RobotSettings& robot, const MotionPlan& 
   }
   refuseUnknownSlots(robot, plan, diagnostics);
   return all;
-}
-
-namespace {
-
-/// Reads one number parameter of a camera into `out`; reports one that is no number in [lowest, highest].
-void readNumber(const NamedValue& parameter, double lowest, double highest, double& out, Diagnostics& diagnostics) {
-  const auto* number = std::get_if<double>(&*parameter.value);
-  if (number == nullptr || !(*number >= lowest && *number <= highest)) {
-    diagnostics.error(parameter.value.where,
-                      fmt::format("{} is {}, expected a number from {} to {}", parameter.name,
-                                  number == nullptr ? "no number" : fmt::format("{}", *number), lowest, highest));
-    return;
-  }
-  out = *number;
-}
-
-/// Reads one switch of a camera.
-void readSwitch(const NamedValue& parameter, bool& out, Diagnostics& diagnostics) {
-  const auto* value = std::get_if<bool>(&*parameter.value);
-  if (value == nullptr) {
-    diagnostics.error(parameter.value.where, fmt::format("{} is neither true nor false", parameter.name));
-    return;
-  }
-  out = *value;
-}
-
-}  // namespace
-
-CameraChoice cameraChoice(const RobotSettings& robot, const CameraMount& mount, double control_period,
-                          Diagnostics& diagnostics) {
-  CameraChoice result;
-  SourceLocation period_where = mount.where;
-  result.settings.period = mount.period;
-  result.settings.phase = mount.phase;
-  for (const ModuleChoice& choice : robot.cameras) {
-    if (choice.slot != mount.name) continue;
-    if (*choice.module == "none") result.on = false;
-    if (!choice.module->empty() && *choice.module != "none" && *choice.module != "ray_caster") {
-      diagnostics.error(choice.module.where,
-                        fmt::format("{}: unknown camera module \"{}\"; expected none or ray_caster{}", robot.path(),
-                                    *choice.module, didYouMean(*choice.module, {"none", "ray_caster"})));
-    }
-    if (*choice.period > 0) result.settings.period = *choice.period, period_where = choice.period.where;
-    if (choice.phase.given()) result.settings.phase = *choice.phase;
-    for (const NamedValue& parameter : choice.parameters) {
-      if (parameter.name == "noise") {
-        readNumber(parameter, 0, 0.5, result.settings.noise, diagnostics);
-      } else if (parameter.name == "gain") {
-        readNumber(parameter, 0.01, 100, result.settings.gain, diagnostics);
-      } else if (parameter.name == "antialias") {
-        readSwitch(parameter, result.settings.antialias, diagnostics);
-      } else {
-        diagnostics.error(parameter.name_where,
-                          fmt::format("module ray_caster has no parameter \"{}\"; it knows noise, "
-                                      "gain, antialias{}",
-                                      parameter.name, didYouMean(parameter.name, {"noise", "gain", "antialias"})));
-      }
-    }
-  }
-  if (result.on && !(result.settings.period >= control_period)) {
-    diagnostics.error(period_where, fmt::format("{}: period of camera {} is {} s, expected at least the control "
-                                                "software's of {} s",
-                                                robot.path(), mount.name, result.settings.period, control_period));
-  }
-  return result;
-}
-
-void reportUnknownCameras(const RobotSettings& robot, const RobotModel& model, Diagnostics& diagnostics) {
-  std::vector<std::string> known;
-  for (const CameraMount& mount : model.cameras) known.push_back(mount.name);
-  for (const ModuleChoice& choice : robot.cameras) {
-    if (std::find(known.begin(), known.end(), choice.slot) != known.end()) continue;
-    diagnostics.error(placeOf(choice, robot),
-                      fmt::format("{} has no camera \"{}\"; it has {}{}", robot.path(), choice.slot,
-                                  fmt::join(known, ", "), didYouMean(choice.slot, known)));
-  }
 }
 
 }  // namespace murosimf

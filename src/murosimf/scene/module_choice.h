@@ -5,8 +5,6 @@
 #include <vector>
 
 #include "murosimf/linking/linker.h"
-#include "murosimf/modules/camera/robot_camera.h"
-#include "murosimf/robot/robot_model.h"
 #include "murosimf/scene/motion_plan.h"
 #include "murosimf/scene/scene.h"
 
@@ -20,17 +18,8 @@ MotionPlan motionPlanOf(const RobotSettings& robot, Diagnostics& diagnostics);
 std::vector<Assignment> modulesOf(const RobotSettings& robot, const MotionPlan& plan, const ModuleRegistry& registry,
                                   Diagnostics& diagnostics);
 
-/// How a camera of the robot takes pictures.
-struct CameraChoice {
-  bool on = true;
-  RobotCameraSettings settings;
-};
-/// @param control_period  [s]; pictures are delivered with sensor frames, so none may come more often
-CameraChoice cameraChoice(const RobotSettings& robot, const CameraMount& mount, double control_period,
-                          Diagnostics& diagnostics);
-/// Reports cameras that the scenario names but the robot does not have.
-void reportUnknownCameras(const RobotSettings& robot, const RobotModel& model, Diagnostics& diagnostics);
-
+/// Where a choice was written: its module, or else the first thing that was said of it.
+SourceLocation placeOf(const ModuleChoice& choice, const RobotSettings& robot);
 WrittenValue writtenValue(const SceneValue& value);
 
 }  // namespace murosimf

@@ -20,6 +20,7 @@ struct MotionPlan {
     int level = 0;    ///< number in `motions`
   };
   std::vector<Change> changes;  ///< in the order of time
+  int near_level = -1;          ///< of the robot's focus rule; -1: it has none
 
   /// Number of the level with this motion; added where it is new.
   int levelWith(const std::string& motion);

@@ -6,6 +6,8 @@
 #include <cctype>
 #include <utility>
 
+#include "murosimf/scene/robot_layers.h"
+
 namespace murosimf {
 
 namespace {
@@ -110,7 +112,7 @@ bool applyOverride(TextNode& changes, std::string_view assignment, Diagnostics& 
       TextNode name = std::exchange(*at, TextNode{});
       at->key = name.key;
       at->where = at->key_where = where;
-      name.key = at->key == "control" ? "program" : "module";
+      name.key = nameKeyOf(at->key);
       at->children.push_back(std::move(name));
     }
     at = &descend(*at, part, where);

@@ -50,7 +50,7 @@ void flatten(TextNode& node, const std::string& name, std::vector<TextNode>& out
 void normaliseRobot(TextNode& robot) {
   if (!robot.isTable()) return;
   for (const std::string_view slot : kModuleSlots) nameToTable(robot.find(slot), "module");
-  nameToTable(robot.find("control"), "program");
+  for (const std::string_view table : {"control", "focus"}) nameToTable(robot.find(table), nameKeyOf(table));
   namesToTables(robot.find("cameras"));
   namesToTables(robot.find("modules"));
   for (const char* pose : {"pose", "kickoff_own", "kickoff_other"}) poseToTable(robot.find(pose));
@@ -70,7 +70,7 @@ const TextNode* findPath(const TextNode& root, std::initializer_list<std::string
 
 /// layOver for a module's table.
 void layModule(TextNode& lower, const TextNode& upper) {
-  const char* const name_key = lower.key == "control" ? "program" : "module";
+  const std::string_view name_key = nameKeyOf(lower.key);
   const TextNode* below = lower.find(name_key);
   const TextNode* above = upper.find(name_key);
   const bool other = above != nullptr && (below == nullptr || below->scalar != above->scalar);
@@ -113,6 +113,11 @@ void layRobot(TextNode& lower, const TextNode* upper) {
 }
 
 }  // namespace
+
+std::string_view nameKeyOf(std::string_view table) {
+  if (table == "control") return "program";
+  return table == "focus" ? "motion" : "module";
+}
 
 void normaliseRobotTables(TextNode& scenario) {
   if (TextNode* teams = scenario.find("teams"))

@@ -13,9 +13,12 @@
 namespace murosimf {
 
 /// Slots of a robot that take one module each.
-inline constexpr std::string_view kModuleSlots[] = {"motion",     "electronics", "actuation", "velocities",
-                                                    "kinematics", "collision",   "contact",   "integration",
-                                                    "sensing",    "pressure",    "torque",    "limits"};
+inline constexpr std::string_view kModuleSlots[] = {
+    "motion",      "electronics", "actuation", "velocities", "kinematics", "collision",    "contact",
+    "integration", "sensing",     "pressure",  "torque",     "limits",     "accelerations"};
+
+/// The key of a robot's table that its name alone stands for: `control = "player"` is `control = {program = "player"}`.
+std::string_view nameKeyOf(std::string_view table);
 
 /// Brings the tables of robots and teams into one form: modules given by name become tables, properties get their
 /// dotted names, poses in arrays become tables. Works on a scenario's tree and on a tree of `--set`; leaves what has

@@ -40,6 +40,7 @@ class RobotReader {
       if (const TextNode* node = reader_.child(slot)) addModule(robot.modules, std::string(slot), *node);
     readNamedModules("modules", "modules.", robot.modules);
     readNamedModules("cameras", "", robot.cameras);
+    readFocus(robot);
     readControl(robot);
     readProperties(robot);
     return robot;
@@ -80,9 +81,9 @@ class RobotReader {
   void readLevel(RobotSettings& robot) {
     const TextNode* node = reader_.child("level");
     const std::optional<std::string> word = node == nullptr ? std::nullopt : readText(*node);
-    if (word == "fast" || word == "oracle") {
+    if (word == "oracle") {
       problems_.error(node->where, fmt::format("level \"{}\" comes with a later version, available now: \"kinematic\", "
-                                               "\"full\"",
+                                               "\"fast\", \"full\"",
                                                *word));
       return;
     }
@@ -136,6 +137,24 @@ class RobotReader {
     }
     std::sort(list.begin() + static_cast<std::ptrdiff_t>(first), list.end(),
               [](const ModuleChoice& a, const ModuleChoice& b) { return a.slot < b.slot; });
+  }
+
+  void readFocus(RobotSettings& robot) {
+    const TextNode* node = reader_.child("focus");
+    if (node == nullptr) return;
+    if (!node->isTable()) {
+      problems_.error(node->where, fmt::format("focus is {}, expected a motion in quotes or a table", describe(*node)));
+      return;
+    }
+    const TableReader reader(node, "FOCUS", problems_);
+    reader.refuseUnknownKeys();
+    FocusSettings focus;
+    focus.where = node->key_where;
+    reader.read("motion", focus.motion);
+    reader.read("ball", focus.ball);
+    reader.read("robots", focus.robots);
+    reader.read("margin", focus.margin);
+    if (*focus.motion != "none") robot.focus = focus;
   }
 
   void readControl(RobotSettings& robot) {

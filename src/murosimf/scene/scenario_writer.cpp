@@ -141,6 +141,13 @@ void writeRobot(ScenarioWriter& out, const RobotSettings& r) {
     out.choice(r.path() + "." + (extra ? prefix + inQuotes(m.slot.substr(prefix.size())) : m.slot), "module", m);
   }
   for (const ModuleChoice& m : r.cameras) out.choice(r.path() + ".cameras." + inQuotes(m.slot), "module", m);
+  if (r.focus) {
+    out.table(r.path() + ".focus");
+    out.value("motion", r.focus->motion);
+    out.value("ball", r.focus->ball);
+    out.value("robots", r.focus->robots);
+    out.value("margin", r.focus->margin);
+  }
   if (r.properties.empty()) return;
   out.table(r.path() + ".properties");
   out.named(r.properties);

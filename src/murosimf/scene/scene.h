@@ -87,6 +87,13 @@ struct TeamSettings {
   Located<bool> attacks_positive_x;  ///< red: true, blue: false, unless the scenario says otherwise
 };
 
+/// When a robot is simulated closely (FocusRule).
+struct FocusSettings {
+  SourceLocation where;  ///< of its table
+  Located<std::string> motion{"multibody_dynamics", {}};
+  Located<double> ball{1.0, {}}, robots{1.0, {}}, margin{0.2, {}};  ///< [m]
+};
+
 struct RobotSettings {
   std::string team;
   int number = 0;                    ///< jersey number from 1
@@ -96,8 +103,9 @@ struct RobotSettings {
   Located<PlanarPose> pose;          ///< X_WB at the start
   Located<std::string> role;
   Located<std::string> level{"kinematic", {}};
-  std::vector<ModuleChoice> modules;                              ///< only slots that the scenario names, by slot
-  std::vector<ModuleChoice> cameras;                              ///< only cameras that the scenario names, by name
+  std::vector<ModuleChoice> modules;  ///< only slots that the scenario names, by slot
+  std::vector<ModuleChoice> cameras;  ///< only cameras that the scenario names, by name
+  std::optional<FocusSettings> focus;
   ModuleChoice control;                                           ///< module "none": no control software
   std::vector<NamedValue> properties;                             ///< name: object path and property, "trunk.mass"
   std::optional<Located<PlanarPose>> kickoff_own, kickoff_other;  ///< X_WB; absent: the referee's own choice

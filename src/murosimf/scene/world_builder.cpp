@@ -9,6 +9,7 @@
 
 #include "murosimf/modules/actuation/motor_properties.h"
 #include "murosimf/robot/urdf_reader.h"
+#include "murosimf/simulation/focus_rules.h"
 #include "murosimf/world/vocabulary.h"
 
 namespace murosimf {
@@ -162,6 +163,7 @@ std::unique_ptr<Simulation> WorldBuilder::link(const ModuleRegistry& registry, c
   auto simulation = std::make_unique<Simulation>(world_, std::move(linked), participants_);
   attachControl(*simulation);
   placeAll(*simulation);
+  addFocus(*simulation);
   return simulation;
 }
 
@@ -189,6 +191,16 @@ void WorldBuilder::placeAll(Simulation& simulation) const {
     const Vector3 lowest = *scene_.ball.position;
     simulation.interventions().placeBody(0, ball, {lowest.x, lowest.y, lowest.z + *scene_.ball.radius});
   }
+}
+
+void WorldBuilder::addFocus(Simulation& simulation) const {
+  std::vector<FocusRule> rules;
+  for (const Outfit& outfit : outfits_) {
+    if (!outfit.robot->focus) continue;
+    const FocusSettings& focus = *outfit.robot->focus;
+    rules.push_back({outfit.id, outfit.plan.near_level, 0, *focus.ball, *focus.robots, *focus.margin});
+  }
+  if (!rules.empty()) simulation.observe(std::make_unique<FocusRules>(simulation, rules));
 }
 
 client::RobotDescription WorldBuilder::describe(const RobotSettings& robot) const {

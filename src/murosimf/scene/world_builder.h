@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "murosimf/scene/camera_choice.h"
 #include "murosimf/scene/module_choice.h"
 #include "murosimf/scene/robot_builder.h"
 #include "murosimf/scene/scene.h"
@@ -62,6 +63,7 @@ class WorldBuilder {
   void chooseProgram(Outfit& outfit, const ControlPrograms& programs);
   void attachControl(Simulation& simulation) const;
   void placeAll(Simulation& simulation) const;
+  void addFocus(Simulation& simulation) const;
   std::shared_ptr<const RayTable> raysOf(const CameraMount& mount, const CameraModel& lens);
 
   const Scene& scene_;

@@ -11,8 +11,8 @@
 namespace murosimf {
 
 namespace {
-constexpr std::size_t kUsualRequests = 64;  // at once: a kick-off places everybody
-constexpr std::size_t kUsualLog = 1024;     // of a game; a longer one makes room now and then
+/// Requests at once for which there is room from the start: a kick-off places everybody.
+std::size_t usualRequests(std::size_t robots) { return 64 + 4 * robots; }
 }  // namespace
 
 InterventionQueue::InterventionQueue(const World& world, LinkedWorld& linked, PairPhase& pairs,
@@ -22,8 +22,8 @@ InterventionQueue::InterventionQueue(const World& world, LinkedWorld& linked, Pa
     robots_.emplace_back(world, linked, id);
     exchangers_.emplace_back(linked, id);
   }
-  waiting_.reserve(kUsualRequests);
-  log_.reserve(kUsualLog);
+  waiting_.reserve(usualRequests(robots.size()));
+  applied_.reserve(usualRequests(robots.size()));
 }
 
 void InterventionQueue::request(long frame, const Intervention& intervention) {
@@ -71,13 +71,14 @@ void InterventionQueue::exchangeLevel(long frame, ObjectId robot, int level) {
 }
 
 void InterventionQueue::apply(long frame) {
+  applied_.clear();
   for (auto next = waiting_.begin(); next != waiting_.end() && next->frame <= frame;) {
     if (!ready(next->intervention, frame)) {
       ++next;
       continue;
     }
     act(next->intervention);
-    log_.push_back({frame, next->intervention});
+    applied_.push_back({frame, next->intervention});
     next = waiting_.erase(next);
   }
 }

@@ -48,8 +48,8 @@ class InterventionQueue {
     long frame = 0;
     Intervention intervention;
   };
-  /// Everything applied so far.
-  const std::vector<Logged>& log() const { return log_; }
+  /// Everything applied in the frame that began last, for observers.
+  const std::vector<Logged>& applied() const { return applied_; }
   void archive(StateArchive& archive) { archive(waiting_); }
 
  private:
@@ -64,7 +64,7 @@ class InterventionQueue {
   std::vector<RobotPlacer> robots_;
   std::vector<LevelExchanger> exchangers_;  // as robots_
   std::vector<ObjectId> free_bodies_;
-  std::vector<Logged> waiting_, log_;  // waiting_ in the order in which they act
+  std::vector<Logged> waiting_, applied_;  // waiting_ in the order in which they act
 };
 
 }  // namespace murosimf

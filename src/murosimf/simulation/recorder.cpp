@@ -33,8 +33,6 @@ Recorder::~Recorder() { finish(); }
 void Recorder::begin(const Simulation& simulation) {
   begun_ = true;
   header_.first_frame = simulation.frame() - 1;
-  const auto& log = simulation.interventions().log();
-  while (logged_ < log.size() && log[logged_].frame < header_.first_frame) ++logged_;
   writeHeader();
 }
 
@@ -78,9 +76,8 @@ void Recorder::afterFrame(Simulation& simulation) {
 }
 
 void Recorder::writeInterventions(const Simulation& simulation, long frame) {
-  const auto& log = simulation.interventions().log();
-  for (; logged_ < log.size(); ++logged_) {
-    const Intervention& act = log[logged_].intervention;
+  for (const InterventionQueue::Logged& applied : simulation.interventions().applied()) {
+    const Intervention& act = applied.intervention;
     bytes_.u8('I');
     bytes_.u64(static_cast<std::uint64_t>(frame));
     bytes_.u8(static_cast<std::uint8_t>(act.kind));

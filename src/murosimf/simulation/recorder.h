@@ -42,7 +42,6 @@ class Recorder final : public FrameObserver {
   std::unique_ptr<std::FILE, CloseFile> stream_;
   RecordingHeader header_;
   std::vector<std::uint64_t> last_, now_;  // bits of all columns' numbers
-  std::size_t logged_ = 0;                 // interventions written
   std::uint64_t frames_ = 0;
   bool begun_ = false;
   ByteWriter bytes_;

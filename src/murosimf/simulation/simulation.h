@@ -59,6 +59,11 @@ class Simulation {
   const ControlLoop* control() const { return control_.get(); }
   /// Observers are called in the order in which they were added.
   void observe(FrameObserver* observer) { observers_.push_back(observer); }
+  /// Same, of one that lives as long as the simulation.
+  void observe(std::unique_ptr<FrameObserver> observer) {
+    observe(observer.get());
+    own_observers_.push_back(std::move(observer));
+  }
 
   double frameLength() const { return linked_->frameLength(); }
   long frame() const { return frame_; }                                        ///< number of the next frame
@@ -86,6 +91,7 @@ class Simulation {
   InterventionQueue interventions_;
   std::unique_ptr<ControlLoop> control_;
   std::vector<FrameObserver*> observers_;
+  std::vector<std::unique_ptr<FrameObserver>> own_observers_;
   StageClock stages_;
   AlignedDoubles step_memory_;
   long frame_ = 0;

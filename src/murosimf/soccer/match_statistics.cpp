@@ -80,9 +80,7 @@ void MatchStatistics::readReferee() {
 }
 
 void MatchStatistics::readPlacements() {
-  const auto& log = interventions_.log();
-  for (; placements_read_ < log.size(); ++placements_read_) {
-    const InterventionQueue::Logged& entry = log[placements_read_];
+  for (const InterventionQueue::Logged& entry : interventions_.applied()) {
     if (entry.intervention.kind != Intervention::Kind::kPlaceRobot) continue;
     for (std::size_t i = 0; i < match_.robots.size(); ++i) {
       if (match_.robots[i].object == entry.intervention.object) walks_[i].placed = entry.frame;
@@ -117,10 +115,6 @@ MatchResult MatchStatistics::result() const {
   return result;
 }
 
-void MatchStatistics::archive(StateArchive& archive) {
-  archive(ledger_, walks_, kicks_, events_read_, restarts_read_);
-  // The log begins anew in a continued run.
-  if (archive.loading()) placements_read_ = interventions_.log().size();
-}
+void MatchStatistics::archive(StateArchive& archive) { archive(ledger_, walks_, kicks_, events_read_, restarts_read_); }
 
 }  // namespace murosimf

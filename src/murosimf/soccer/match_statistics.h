@@ -66,7 +66,7 @@ class MatchStatistics final : public FrameObserver {
   std::vector<std::uint32_t> kicks_;  // per robot
   std::vector<Walk> walks_;
   long chord_;  // [frames]
-  std::size_t placements_read_ = 0, events_read_ = 0;
+  std::size_t events_read_ = 0;
   std::uint32_t restarts_read_ = 1;
 };
 

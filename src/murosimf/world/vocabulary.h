@@ -114,6 +114,9 @@ inline constexpr Variable<double> kSoleClearance{"sole_clearance", "m", "height 
 inline constexpr Variable<double> kStanceSide{"stance_side", "1", "foot that carries the robot: 0 right, 1 left"};
 inline constexpr Variable<double> kSupportSlip{"support_slip", "m/s", "speed of the other foot while it touches too",
                                                Storage::kKept};
+inline constexpr Variable<double> kFlattenedTurn{"flattened_turn", "rad", "kinematic walking took away and still shows",
+                                                 Storage::kKept};
+inline constexpr Variable<double> kFlattenedShift{"flattened_shift", "m", "same", Storage::kKept};
 inline constexpr Variable<double> kFlight{"flight", "1", "1 when the pinned foot would have to be pulled to the ground",
                                           Storage::kKept};
 
@@ -121,9 +124,9 @@ inline constexpr Variable<ServoCommand> kServoDemand{"servo_demand", "SI",
                                                      "what a servo's electronics ask of its motor"};
 inline constexpr Variable<double> kJointRateDemand{"joint_rate_demand", "rad/s",
                                                    "joint velocity that a servo holds over the step"};
-inline constexpr Variable<double> kServoTorque{"servo_torque", "N m", "that the servo needed for its motion",
-                                               Storage::kKept};
-inline constexpr Variable<double> kServoLoad{"servo_load", "1", "size of servo_torque over stall_torque",
+inline constexpr Variable<double> kMeasuredTorque{"measured_torque", "N m", "of servo, friction and stops",
+                                                  Storage::kKept};
+inline constexpr Variable<double> kServoLoad{"servo_load", "1", "size of the servo's torque over stall_torque",
                                              Storage::kKept};
 
 // Variables that live while an integrator evaluates forces; everything of a body in its own axes, about its origin.

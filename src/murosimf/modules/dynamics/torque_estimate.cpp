@@ -34,7 +34,7 @@ void TorqueEstimate::declare(Declaration& d) const {
   d.adds(kMetForce, subset::kBodies);
   d.adds(kRecursionAcceleration, subset::kBodies);
   d.adds(kTransmittedForce, subset::kBodies);
-  d.adds(kServoTorque, subset::kJoints);
+  d.adds(kMeasuredTorque, subset::kJoints);
   d.adds(kServoLoad, subset::kJoints);
 }
 
@@ -58,7 +58,7 @@ void TorqueEstimate::link(Links& links) {
   a.met = links.column(kMetForce, subset::kBodies);
   a.own_acceleration = links.column(kRecursionAcceleration, subset::kBodies);
   a.transmitted = links.column(kTransmittedForce, subset::kBodies);
-  a.torque = links.column(kServoTorque, subset::kJoints);
+  a.torque = links.column(kMeasuredTorque, subset::kJoints);
   a.load = links.column(kServoLoad, subset::kJoints);
   kernel_ = kernelOfWidth<TorqueEstimateArguments>(links.width());
 }

@@ -7,7 +7,7 @@
 ///            makes it jump within one step.
 /// Phase      kEvaluate, behind the accelerations. Runs only if somebody reads what it adds.
 /// Needs      stall_torque of the joints; armature and joint_damping count as 0 where missing.
-/// Adds       servo_torque; servo_load, its size over stall_torque.
+/// Adds       measured_torque; servo_load, its size over stall_torque.
 /// Cost       about 200 operations a joint.
 
 #include "murosimf/linking/module.h"

@@ -59,6 +59,8 @@ void KinematicWalking::declare(Declaration& d) const {
   d.adds(kLastPosition, subset::kJoints);
   d.adds(kBetween, subset::kJoints);
   d.adds(kSoleClearance, subset::kSoles);
+  d.adds(kFlattenedTurn);
+  d.adds(kFlattenedShift);
   d.adds(kSupportSlip);
   d.adds(kFlight);
 }
@@ -83,6 +85,8 @@ void KinematicWalking::link(Links& links) {
   arguments_.base_pose_last = links.column(kBasePoseLast);
   arguments_.clearance = links.column(kSoleClearance, subset::kSoles);
   arguments_.stance = links.column(kStanceSide);
+  arguments_.flattened_turn = links.column(kFlattenedTurn);
+  arguments_.flattened_shift = links.column(kFlattenedShift);
   arguments_.slip = links.column(kSupportSlip);
   arguments_.flight = links.column(kFlight);
   arguments_.memory = links.column(kStanceMemory);

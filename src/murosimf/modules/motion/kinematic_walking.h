@@ -18,8 +18,9 @@
 /// Adoption   A robot that comes from another level of detail goes on with its lower foot where that is, flat; what
 ///            flattening takes away is a residual too.
 /// Blocking   planar_shift of the step before moves the anchor: robots that got too near are kept apart.
-/// Reports    support_slip: speed of the other sole while both touch. flight: 1 where the base falls faster than g, so
-///            that a real robot would leave the ground; here the stance sole stays pinned.
+/// Reports    flattened_turn, flattened_shift: sizes of the last residual. support_slip: speed of the other
+///            sole while both touch. flight: 1 where the base falls faster than g, so that a real robot would leave the
+///            ground; here the stance sole stays pinned.
 /// Limits     ground z = 0. The robot never falls and nothing pushes it. Lying, sitting and jumping are outside.
 /// Cost       two chains of sines and rotations from the base to the soles; about 5 times that more at a touch-down.
 /// Exchange   with any module that adds base_pose.

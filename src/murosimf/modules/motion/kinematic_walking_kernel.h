@@ -24,7 +24,7 @@ struct KinematicWalkingArguments {
   double hysteresis = 0;  ///< eps [m]
   double blend_time = 0;  ///< [s]
   ColumnRef q, q_last, q_between, placement, placement_count, planar_shift;
-  ColumnRef base_pose, base_pose_last, clearance, stance, slip, flight;
+  ColumnRef base_pose, base_pose_last, clearance, stance, slip, flight, flattened_turn, flattened_shift;
   ColumnRef memory;  ///< StanceMemory
 };
 
@@ -145,6 +145,13 @@ inline Transform<S> withResidual(const StanceMemory<S>& m, const Transform<S>& X
   return select(none, X_WB, shown);
 }
 
+/// For reports: the last jump.
+template <class S>
+inline void tellResidual(const KinematicWalkingArguments& a, const BlockMemory& block, const StanceMemory<S>& m) {
+  *columnAt<S, S>(block, a.flattened_turn) = sqrt(squaredNorm(m.residual_turn));
+  *columnAt<S, S>(block, a.flattened_shift) = sqrt(squaredNorm(m.residual_shift));
+}
+
 /// Exchanges the feet's roles where `mask`: the swing sole becomes the anchor at the joint positions q.
 template <class S, class Truth>
 inline void exchangeRoles(const KinematicWalkingArguments& a, StanceMemory<S>& m, S& stance, Truth mask, const S* q) {
@@ -201,6 +208,7 @@ inline void adoptStanceFoot(const KinematicWalkingArguments& a, const BlockMemor
   m.residual_turn = rotationLog(X_WB.rotation * transposed(X_WB_after.rotation));
   m.residual_shift = X_WB.translation - X_WB_after.translation;
   m.residual_left = S(1);
+  tellResidual(a, block, m);
   m.armed = select(roles.clearance > S(a.hysteresis), S(1), S(0));
   m.floor = select(roles.clearance > S(a.hysteresis), S(0), min(roles.clearance, S(0)));
   m.height_rate = S(0);
@@ -270,6 +278,7 @@ void kinematicWalking(const KinematicWalkingArguments& a, const BlockMemory& blo
   clearance[0] = select(left, roles.clearance, S(0));
   clearance[1] = select(left, S(0), roles.clearance);
   observeSupport(a, block, m, roles, placed | exchange, time);
+  tellResidual(a, block, m);
   for (int j = 0; j < a.joints; ++j) q_last[j] = q[j];
 }
 

@@ -15,9 +15,6 @@
 
 namespace murosimf {
 
-inline constexpr Variable<double> kMeasuredTorque{"measured_torque", "N m", "of servo, friction and stops",
-                                                  Storage::kKept};
-
 class JointTorqueSensor final : public BlockModule {
  public:
   void declare(Declaration& declaration) const override;

@@ -3,8 +3,9 @@
 #include <atomic>
 #include <cstdlib>
 #include <new>
+#include <random>
 
-#include "scene/built_world.h"
+#include "simulation/walkers.h"
 
 namespace {
 std::atomic<long> allocations{0};
@@ -77,8 +78,36 @@ TEST_P(Frames, AllocateNothing) {
   EXPECT_TRUE(touched) << "the ball was to meet a robot";
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, Frames, testing::Values("kinematic", "full"),
+INSTANTIATE_TEST_SUITE_P(Levels, Frames, testing::Values("kinematic", "fast", "full"),
                          [](const auto& test) { return std::string(test.param); });
+
+TEST(ExchangingFrames, AHundredRandomOnesASecondAllocateNothingAndLeaveTheBitsOfOthers) {
+  constexpr int kRobots = 6, kExchanged = 3, kFrames = 60000;
+  Walkers with(walkers(kRobots, 9)), without(walkers(kRobots, 9));
+  std::mt19937 random(7);
+  int changes = 0;
+  for (int i = 0; i < 100; ++i) with.frame(), without.frame();
+  const long before = allocations;
+  for (int i = 100; i < kFrames; ++i) {
+    if (i % 10 == 0) {
+      const ObjectId robot = with.robot(random() % kExchanged);
+      const int level = static_cast<int>(random() % 3);
+      changes += level == with.simulation().linked().levelOf(robot) ? 0 : 1;
+      with.simulation().interventions().exchangeLevel(i, robot, level);
+    }
+    with.frame(), without.frame();
+  }
+  EXPECT_EQ(allocations - before, 0);
+  EXPECT_GT(changes, 60 * 50);
+  for (std::size_t i = 0; i < kRobots; ++i) {
+    if (i < kExchanged) {
+      EXPECT_NE(with.base(i), without.base(i));
+    } else {
+      EXPECT_EQ(with.base(i), without.base(i));
+      EXPECT_EQ(with.joints(i), without.joints(i));
+    }
+  }
+}
 
 TEST(ControlledFrames, AllocateNothingOnTheirOwnThreads) {
   BuiltWorld built(sixRobots("idle") + "[robots.all.cameras]\nhead = \"none\"\nchest = \"none\"\n",

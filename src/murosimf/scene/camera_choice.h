@@ -1,0 +1,22 @@
+#pragma once
+
+/// @file How the cameras of a robot of a scenario take pictures.
+
+#include "murosimf/modules/camera/robot_camera.h"
+#include "murosimf/robot/robot_model.h"
+#include "murosimf/scene/scene.h"
+
+namespace murosimf {
+
+/// How a camera of the robot takes pictures.
+struct CameraChoice {
+  bool on = true;
+  RobotCameraSettings settings;
+};
+/// @param control_period  [s]; pictures are delivered with sensor frames, so none may come more often
+CameraChoice cameraChoice(const RobotSettings& robot, const CameraMount& mount, double control_period,
+                          Diagnostics& diagnostics);
+/// Reports cameras that the scenario names but the robot does not have.
+void reportUnknownCameras(const RobotSettings& robot, const RobotModel& model, Diagnostics& diagnostics);
+
+}  // namespace murosimf
