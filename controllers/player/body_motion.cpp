@@ -31,6 +31,19 @@ JointAngles BodyMotion::recover(double dt) {
   return recovery_.step(dt, fall_);
 }
 
+void BodyMotion::startFrom(const JointAngles& q) {
+  first_ = q;
+  start_time_ = 0;
+}
+
+JointAngles BodyMotion::getReady(double dt) {
+  start_time_ += dt;
+  const double t = std::min(1.0, start_time_ / kStartTime), share = t * t * (3 - 2 * t);
+  JointAngles angles = walkReady();
+  for (std::size_t i = 0; i < angles.size(); ++i) angles[i] = first_[i] + share * (angles[i] - first_[i]);
+  return angles;
+}
+
 void BodyMotion::putUpright() {
   if (recovery_.active()) recovery_.begin(commanded_);
 }
@@ -38,6 +51,7 @@ void BodyMotion::putUpright() {
 JointAngles BodyMotion::step(double dt, const MotionRequest& wish, const BodySense& felt, bool feedback) {
   fall_.observe(dt, felt.specific_force);
   if (recovery_.active() || fall_.lies()) return commanded_ = recover(dt);
+  if (start_time_ < kStartTime) return commanded_ = getReady(dt);
   if (kick_.running() || startsKick(wish)) {
     const int foot = kick_.motion();
     commanded_ = kick_.step(dt);
@@ -53,7 +67,7 @@ JointAngles BodyMotion::step(double dt, const MotionRequest& wish, const BodySen
 }
 
 void BodyMotion::archive(client::StateArchive& archive) {
-  archive(engine_, kick_, fall_, recovery_, commanded_, settled_time_, recovery_time_, kicks_started_);
+  archive(engine_, kick_, fall_, recovery_, commanded_, first_, start_time_, settled_time_, recovery_time_, kicks_started_);
 }
 
 }  // namespace murosimf::controllers

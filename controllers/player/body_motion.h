@@ -31,6 +31,9 @@ class BodyMotion {
  public:
   BodyMotion();
 
+  /// Before the first step: tells where the joints are. From there they go to the ready posture within kStartTime: a
+  /// command that jumps far throws a robot over.
+  void startFrom(const JointAngles& q);
   /// Advances by dt [s] towards what is wished. A kick that has begun is played to its end, unless the robot falls.
   /// @return angles to command [rad]; head joints are 0. No allocation.
   JointAngles step(double dt, const MotionRequest& wish, const BodySense& felt, bool feedback);
@@ -49,17 +52,20 @@ class BodyMotion {
   void archive(client::StateArchive& archive);
 
  private:
+  static constexpr double kStartTime = 0.6;     ///< [s]
   static constexpr double kSettleTime = 0.3;    ///< standing still before a kick [s]
   static constexpr double kRecoveryTime = 0.3;  ///< and after it [s]
 
   bool startsKick(const MotionRequest& wish);
   JointAngles recover(double dt);
+  JointAngles getReady(double dt);
 
   WalkingEngine engine_;
   KeyFramePlayer kick_;  ///< motion 0 with the right foot, 1 with the left
   FallDetector fall_;
   FallRecovery recovery_;
-  JointAngles commanded_{};
+  JointAngles commanded_{}, first_{};
+  double start_time_ = kStartTime;  ///< since startFrom()
   double settled_time_ = 0, recovery_time_ = 0;
   std::uint32_t kicks_started_ = 0;
 };

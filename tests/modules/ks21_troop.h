@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file KS21 with full dynamics, each moved by the body motion of the reference control software, 100 times a second.
+/// @file KS21 with dynamics, each moved by the body motion of the reference control software, 100 times a second.
 ///
 /// As in a game, a command acts one control period after the readings that it was computed from.
 
@@ -14,10 +14,9 @@ class Ks21Troop {
  public:
   using Request = controllers::MotionRequest;
 
-  Ks21Troop(std::size_t count, const std::string& contact) : world_(1e-3), members_(count) {
+  Ks21Troop(std::size_t count, DynamicLevel level) : world_(1e-3), members_(count) {
     const std::vector<double> ready = gait(0, {}, 0);
     for (std::size_t i = 0; i < count; ++i) members_[i].robot = world_.add("robot" + std::to_string(i), ks21(), ready);
-    DynamicLevel level = multibody(contact);
     level.modules.emplace_back("dynamic_inertial_sensor");
     world_.link(level, 4);
   }

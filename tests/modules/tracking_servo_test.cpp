@@ -52,7 +52,8 @@ class Crane {
   ObjectId robot_;
 };
 
-const DynamicLevel kAtOnce = simplified("").with("tracking_servo.lag", 0);
+const DynamicLevel kUnlimited = simplified("").with("tracking_servo.largest_acceleration", 0);
+const DynamicLevel kAtOnce = kUnlimited.with("tracking_servo.lag", 0);
 
 TEST(TrackingServo, ReachesItsCommandInOneStepOrAtTheLargestSpeed) {
   Crane crane(kAtOnce);
@@ -84,7 +85,7 @@ TEST(TrackingServo, StaysWithinItsRangeAndWhereItIsWithoutGain) {
 }
 
 TEST(TrackingServo, ComesNearItsCommandWithTheLagOfItsGains) {
-  Crane crane(simplified(""), 1e-4);
+  Crane crane(kUnlimited, 1e-4);
   crane.command({0.05, 0, 0, 1, 0});
   crane.run(0.03);
   const double lag = kDrag / kGain;

@@ -24,7 +24,7 @@ constexpr Slot kMultibodySlots[] = {
     {"integration", "implicit_euler"},    {"kinematics", "body_poses"}};
 constexpr Slot kSimplifiedSlots[] = {{"velocities", "prescribed_tree_motion"},
                                      {"actuation", "tracking_servo"},
-                                     {"contact", "hunt_crossley_contact"},
+                                     {"contact", "smooth_contact"},
                                      {"motion", "simplified_dynamics"},
                                      {"accelerations", "body_accelerations"},
                                      {"sensing", "dynamic_inertial_sensor"},

@@ -13,7 +13,7 @@ constexpr double kAtOnce = 1e9;  // [1/s]
 
 std::vector<ParameterInfo> TrackingServo::parameters() {
   return {{"lag", "s", "time constant of following a command; -1: of each servo's gains, kd / kp", -1, -1, 1},
-          {"largest_acceleration", "rad/s^2", "of the joints; 0: any", 0, 0, 1e6}};
+          {"largest_acceleration", "rad/s^2", "of the joints; 0: any", 100, 0, 1e6}};
 }
 
 TrackingServo::TrackingServo(const ParameterValues& values) : lag_(values["lag"]) {
