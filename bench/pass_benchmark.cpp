@@ -1,4 +1,4 @@
-// What each pass of a frame of multibody dynamics takes: 24 KS21, and the whole frame beside it.
+// What each pass of a frame with dynamics takes: 24 KS21, and the whole frame beside it.
 
 #include <fmt/format.h>
 
@@ -18,8 +18,11 @@ constexpr int kRobots = 24, kFrames = 4, kRounds = 401;  // rounds so short that
 /// of a state may be computed as often as one likes.
 class TimedPasses {
  public:
-  explicit TimedPasses(RobotTeam& team)
-      : team_(team), batch_(team.linked().batches().front()), memory_(team.linked().stepMemorySize()) {}
+  TimedPasses(RobotTeam& team, std::string integrator)
+      : team_(team),
+        integrator_(std::move(integrator)),
+        batch_(team.linked().batches().front()),
+        memory_(team.linked().stepMemorySize()) {}
 
   /// Adds the seconds of some frames to `seconds`, by name.
   void run(std::map<std::string, double>& seconds) {
@@ -50,7 +53,7 @@ class TimedPasses {
       evaluations = passes(Phase::kEvaluate, memory, i == 0 ? warming_up : seconds);
     }
     passes(phase, memory, seconds);
-    if (phase == Phase::kAdvance) seconds["implicit_euler"] -= evaluations;
+    if (phase == Phase::kAdvance) seconds[integrator_] -= evaluations;
   }
   double passes(Phase phase, const BlockMemory& memory, std::map<std::string, double>& seconds) {
     double sum = 0;
@@ -63,14 +66,15 @@ class TimedPasses {
   }
 
   RobotTeam& team_;
+  std::string integrator_;
   const Batch& batch_;
   AlignedDoubles memory_;
 };
 
-std::vector<Row> passesAt(int lanes) {
-  RobotTeam team(soleWalker(), standingAngles(), multibodyLevel(), kRobots, lanes);
+std::vector<Row> passesAt(const Level& level, int lanes) {
+  RobotTeam team(soleWalker(), standingAngles(), level, kRobots, lanes);
   team.settle(1);
-  TimedPasses passes(team);
+  TimedPasses passes(team, level.modules.back());  // the integrator stands last
   std::map<std::string, std::vector<double>> shares, times;
   std::vector<double> wholes;
   for (int round = 0; round < kRounds; ++round) {
@@ -85,9 +89,10 @@ std::vector<Row> passesAt(int lanes) {
   std::vector<Row> rows;
   constexpr double kPerRobot = 1e9 / (kRobots * kFrames);
   for (const auto& [name, share] : shares) {
-    Row& row = rows.emplace_back(Row{"pass_" + name, median(share), median(times[name]) * kPerRobot,
-                                     median(wholes) * kPerRobot, "ns/robot-frame", isaOf(lanes), ""});
-    row.text = fmt::format("{:28} {:7} {:6.1f} % of the frame ({:.0f} of {:.0f} ns)", row.name, row.isa,
+    Row& row = rows.emplace_back(Row{fmt::format("pass_{}_{}", level.name, name), median(share),
+                                     median(times[name]) * kPerRobot, median(wholes) * kPerRobot, "ns/robot-frame",
+                                     isaOf(lanes), ""});
+    row.text = fmt::format("{:38} {:7} {:6.1f} % of the frame ({:.0f} of {:.0f} ns)", row.name, row.isa,
                            100 * row.ratio, row.ours, row.peer);
   }
   return rows;
@@ -97,7 +102,9 @@ std::vector<Row> passesAt(int lanes) {
 
 std::vector<Part> passParts() {
   std::vector<Part> parts;
-  for (const int lanes : laneWidths()) parts.emplace_back([lanes] { return passesAt(lanes); });
+  for (const Level& level : {multibodyLevel(), simplifiedLevel()}) {
+    for (const int lanes : laneWidths()) parts.emplace_back([level, lanes] { return passesAt(level, lanes); });
+  }
   return parts;
 }
 

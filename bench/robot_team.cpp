@@ -38,7 +38,7 @@ Level multibodyLevel() {
 Level simplifiedLevel() {
   return {"simplified",
           {"tracking_servo", "prescribed_tree_motion", "hunt_crossley_contact", "simplified_dynamics",
-           "body_accelerations", "dynamic_inertial_sensor", "momentum_midpoint"}};
+           "prescribed_inertial_sensor", "momentum_midpoint"}};
 }
 
 Level kinematicLevel() { return {"kinematic", {"ideal_servo", "kinematic_walking", "body_poses", "inertial_sensor"}}; }
@@ -101,7 +101,8 @@ void RobotTeam::link(const Level& level, int lanes) {
 
 void RobotTeam::command() {
   for (Ports& port : ports_) {
-    for (std::size_t j = 0; j < q_.size(); ++j) port.command.set({q_[j], 0, 0, 1, 0}, static_cast<int>(j));
+    LaneValues<ServoCommand> commands = port.command.values();
+    for (std::size_t j = 0; j < q_.size(); ++j) commands.set({q_[j], 0, 0, 1, 0}, static_cast<int>(j));
   }
 }
 
@@ -109,9 +110,10 @@ void RobotTeam::sense() {
   for (std::size_t i = 0; i < ports_.size(); ++i) {
     const Ports& port = ports_[i];
     peers::PeerSensors& sensors = sensors_[i];
+    const LaneValues<double> q = port.q.values(), dq = port.dq.values();
     for (std::size_t j = 0; j < q_.size(); ++j) {
-      sensors.q[j] = port.q.get(static_cast<int>(j));
-      sensors.dq[j] = port.dq.get(static_cast<int>(j));
+      sensors.q[j] = q.get(static_cast<int>(j));
+      sensors.dq[j] = dq.get(static_cast<int>(j));
     }
     if (!port.gyroscope.valid()) continue;
     sensors.gyroscope = port.gyroscope.get();

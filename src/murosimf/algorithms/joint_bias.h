@@ -53,5 +53,18 @@ MUROSIMF_INLINE void add(SpatialMotion<S>& a, const JointBias<Joint, S>& c) {
   add(a.v, c.v);
 }
 
+/// A_C = X_CP A_P + V x S dq + S ddq of the body at the end of a row, V its velocity.
+template <class S>
+MUROSIMF_INLINE SpatialMotion<S> childAcceleration(const KernelRow& row, const SpatialMotion<S>& A_P,
+                                                   const SinCos<S>& turn, const SpatialMotion<S>& V, S dq, S ddq) {
+  SpatialMotion<S> A;
+  forJoint<S>(row, turn, [&](const auto& joint) MUROSIMF_INLINE_LAMBDA {
+    A = joint.into(A_P);
+    add(A, jointBias<std::remove_cvref_t<decltype(joint)>>(V, dq));
+    joint.add(A, ddq);
+  });
+  return A;
+}
+
 }  // namespace MUROSIMF_ISA
 }  // namespace murosimf

@@ -72,13 +72,14 @@ client::CommandFrame RobotPort::emptyCommands() const {
 
 int RobotPort::applyCommands(const client::CommandFrame& commands) {
   int refused = 0;
+  const LaneValues<ServoCommand> values = command_.values();
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     if (i >= commands.joints.size() || !isUsable(commands.joints[i])) {
       ++refused;
       continue;
     }
     const client::JointCommand& c = commands.joints[i];
-    command_.set({c.position, c.velocity, c.torque, c.kp, c.kd}, static_cast<int>(i));
+    values.set({c.position, c.velocity, c.torque, c.kp, c.kd}, static_cast<int>(i));
   }
   return refused;
 }

@@ -14,6 +14,8 @@ template <class T>
 class LaneValues {
  public:
   LaneValues(double* first, int stride) : first_(first), stride_(stride) {}
+  /// Values of all objects, where they stand until the next exchange of levels: for loops over many.
+  LaneValues<T> values() const { return {cell_->first, cell_->stride}; }
   /// Value of the subset's object number `object`.
   T get(int object = 0) const {
     double numbers[sizeof(T) / sizeof(double)];

@@ -40,7 +40,13 @@ void LinkedWorld::run(Phase phase, long frame, double* step_memory) const {
 
 void LinkedWorld::runFrame(long frame) {
   if (step_memory_.size() < stepMemorySize()) step_memory_ = AlignedDoubles(stepMemorySize());
-  for (const Phase phase : {Phase::kPrescribe, Phase::kAdvance, Phase::kSense}) run(phase, frame, step_memory_.data());
+  for (const Batch& batch : batches_) {
+    for (int b = 0; b < batch.blockCount(); ++b) {
+      for (const Phase phase : {Phase::kPrescribe, Phase::kAdvance, Phase::kSense}) {
+        runBlock(phase, batch, b, frame, step_memory_.data());
+      }
+    }
+  }
 }
 
 double* LinkedWorld::element(const Place& place, const ColumnLayout& layout) const {

@@ -25,6 +25,7 @@
 #include "murosimf/modules/sensing/foot_pressure.h"
 #include "murosimf/modules/sensing/inertial_sensor.h"
 #include "murosimf/modules/sensing/joint_torque_sensor.h"
+#include "murosimf/modules/sensing/prescribed_inertial_sensor.h"
 
 namespace murosimf {
 
@@ -67,6 +68,7 @@ ModuleRegistry allModules() {
   all.add<MomentumMidpoint>("momentum_midpoint", "integration", "momentum is kept; the one of simplified dynamics");
   all.add<InertialSensor>("inertial_sensor", "sensing", "gyroscope and accelerometer from how the body moved");
   all.add<DynamicInertialSensor>("dynamic_inertial_sensor", "sensing", "gyroscope and accelerometer from the dynamics");
+  all.add<PrescribedInertialSensor>("prescribed_inertial_sensor", "sensing", "the one of simplified dynamics");
   all.add<FootPressure>("foot_pressure", "pressure", "forces under the four corners of each sole");
   all.add<JointTorqueSensor>("joint_torque_sensor", "torque", "what servo, friction and stops gave each joint");
   return all;

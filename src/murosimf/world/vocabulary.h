@@ -114,8 +114,8 @@ inline constexpr Variable<double> kSoleClearance{"sole_clearance", "m", "height 
 inline constexpr Variable<double> kStanceSide{"stance_side", "1", "foot that carries the robot: 0 right, 1 left"};
 inline constexpr Variable<double> kSupportSlip{"support_slip", "m/s", "speed of the other foot while it touches too",
                                                Storage::kKept};
-inline constexpr Variable<double> kFlattenedTurn{"flattened_turn", "rad", "kinematic walking took away and still shows",
-                                                 Storage::kKept};
+inline constexpr Variable<double> kFlattenedTurn{"flattened_turn", "rad",
+                                                 "taken away at the last exchange of feet or level", Storage::kKept};
 inline constexpr Variable<double> kFlattenedShift{"flattened_shift", "m", "same", Storage::kKept};
 inline constexpr Variable<double> kFlight{"flight", "1", "1 when the pinned foot would have to be pulled to the ground",
                                           Storage::kKept};

@@ -29,12 +29,8 @@ void bodyAccelerations(const BodyAccelerationsArguments& a, const BlockMemory& b
   acceleration[0] = *columnAt<SpatialMotion<S>, S>(block, a.base_acceleration);
   for (int i = 1; i < a.bodies; ++i) {
     ddq[i - 1] = (demand[i - 1] - dq[i - 1]) * per_second;
-    forJoint<S>(a.rows[i], turn[i - 1], [&](const auto& joint) {
-      SpatialMotion<S> A = joint.into(acceleration[a.rows[i].parent]);
-      add(A, jointBias<std::remove_cvref_t<decltype(joint)>>(twist[i], dq[i - 1]));
-      joint.add(A, ddq[i - 1]);
-      acceleration[i] = A;
-    });
+    acceleration[i] =
+        childAcceleration(a.rows[i], acceleration[a.rows[i].parent], turn[i - 1], twist[i], dq[i - 1], ddq[i - 1]);
   }
 }
 

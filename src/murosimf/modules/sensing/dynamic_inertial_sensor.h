@@ -2,10 +2,7 @@
 
 /// @file Gyroscope and accelerometer of an inertial measurement unit, from the accelerations that dynamics finds.
 ///
-/// Model      w of the unit's body and the specific force f = A_v + A_w x p + w x (v + w x p) at the unit's place p,
-/// with
-///            A the body's proper acceleration, both in the unit's axes, without noise. In steps that look ahead w is
-///            that at the end of the step, f the mean over it.
+/// Model      algorithms/inertial_reading.h, without noise.
 /// Phase      kEvaluate, behind the dynamics: with several evaluations a step the last one counts.
 /// Cost       three cross products and two rotations. No world poses are needed.
 /// Exchange   with any module that adds gyroscope and accelerometer.

@@ -2,9 +2,8 @@
 
 /// @file Kernel of dynamic_inertial_sensor.h.
 
-#include "murosimf/algorithms/tree_rows.h"
+#include "murosimf/algorithms/inertial_reading.h"
 #include "murosimf/linking/kernel.h"
-#include "murosimf/math/spatial.h"
 
 namespace murosimf {
 
@@ -21,13 +20,11 @@ inline namespace MUROSIMF_ISA {
 
 template <class S>
 void dynamicInertialSensor(const DynamicInertialSensorArguments& a, const BlockMemory& block, const StepTime& time) {
-  const Transform<S> X_RI = poseFrom<S>(a.X_RI);
-  const SpatialMotion<S> V = columnAt<SpatialMotion<S>, S>(block, a.twist)[a.row];
-  const SpatialMotion<S> A = columnAt<SpatialMotion<S>, S>(block, a.acceleration)[a.row];
-  const Vec3<S>& p = X_RI.translation;
-  const Vec3<S> force = A.v + cross(A.w, p) + cross(V.w, V.v + cross(V.w, p));
-  *columnAt<Vec3<S>, S>(block, a.gyroscope) = applyTransposed(X_RI.rotation, V.w + A.w * S(time.implicit));
-  *columnAt<Vec3<S>, S>(block, a.accelerometer) = applyTransposed(X_RI.rotation, force);
+  const InertialReading<S> reading =
+      inertialReading(a.X_RI, columnAt<SpatialMotion<S>, S>(block, a.twist)[a.row],
+                      columnAt<SpatialMotion<S>, S>(block, a.acceleration)[a.row], S(time.implicit));
+  *columnAt<Vec3<S>, S>(block, a.gyroscope) = reading.gyroscope;
+  *columnAt<Vec3<S>, S>(block, a.accelerometer) = reading.accelerometer;
 }
 
 }  // namespace MUROSIMF_ISA
