@@ -5,7 +5,9 @@
 #include <random>
 #include <vector>
 
+#include "murosimf/algorithms/articulated_body.h"
 #include "murosimf/algorithms/composite_body.h"
+#include "murosimf/algorithms/ground_contact.h"
 #include "murosimf/algorithms/tree_motion.h"
 
 namespace murosimf::test {
@@ -19,14 +21,14 @@ struct RandomTree {
   std::vector<KernelRow> rows;
   GatherPlan gather;
   MassMatrixPlan matrix_plan;
-  std::vector<S> q, dq, torque, joint_inertia, ddq, up_height;
+  std::vector<S> q, dq, torque, joint_inertia, ddq, up_height, touch, matrix;
   std::vector<SinCos<S>> turn;
   std::vector<RigidInertia<S>> inertia;
   std::vector<SpatialMotion<S>> velocity, acceleration;
   std::vector<SpatialForce<S>> force;
   std::vector<Vec3<S>> up;
   std::vector<JointResponse<S>> response;
-  std::vector<ArticulatedInertia<S>> slot_inertia;
+  std::vector<ArticulatedInertia<S>> slot_inertia, contact;
   std::vector<SpatialForce<S>> slot_bias;
 
   std::size_t bodies() const { return rows.size(); }
@@ -45,13 +47,42 @@ struct RandomTree {
                TreeMotion<S>{turn.data(), dq.data(), velocity.data(), up.data(), up_height.data()});
   }
   ArticulatedTree tree() const { return {rows.data(), gather.rows.data(), static_cast<int>(bodies())}; }
-  ArticulatedBody<S> articulated() {
-    return {turn.data(),    dq.data(),       torque.data(),       joint_inertia.data(),
-            inertia.data(), velocity.data(), force.data(),        acceleration.data(),
-            ddq.data(),     response.data(), slot_inertia.data(), slot_bias.data()};
+  ArticulatedBody<S> articulated() { return {columns(), response.data()}; }
+  CompositeBody<S> composite() { return {columns(), matrix_plan.rows.data(), matrix.data()}; }
+  /// What the contacts of touched bodies add to their inertia.
+  void addContact(int i, ArticulatedInertia<S>& Ic) const {
+    const std::size_t body = static_cast<std::size_t>(i);
+    ArticulatedInertia<S> with = Ic;
+    with += contact[body];
+    Ic = select(touch[body] > S(0), with, Ic);
+  }
+  /// Four points of some kilograms each on every third body or so, as contacts of steps of milliseconds are; not on the
+  /// same bodies in all lanes.
+  void touchGround(const std::vector<unsigned>& seeds) {
+    for (int lane = 0; lane < kLanes; ++lane) {
+      std::mt19937 random(seeds[static_cast<std::size_t>(lane)] + 77);
+      std::uniform_real_distribution<double> number(-1, 1);
+      for (std::size_t i = 0; i < bodies(); ++i) {
+        const bool touches = random() % 3 == 0;
+        ArticulatedInertia<double> sum{};
+        const Vector3 normal = rotationExp(Vector3{number(random), number(random), number(random)}).z;
+        for (int point = 0; point < 4; ++point) {
+          const Vector3 r{0.1 * number(random), 0.1 * number(random), 0.1 * number(random)};
+          addPointMass(sum, r, normal, 1.0, 3 + 2 * number(random));
+        }
+        put(touch[i], lane, touches ? 1 : 0);
+        const auto* numbers = reinterpret_cast<const double*>(&sum);
+        for (std::size_t k = 0; k < sizeof(sum) / sizeof(double); ++k)
+          put(reinterpret_cast<S*>(&contact[i])[k], lane, touches ? numbers[k] : 0);
+      }
+    }
   }
 
  private:
+  TreeDynamics<S> columns() {
+    return {turn.data(),  dq.data(),           torque.data(), joint_inertia.data(), inertia.data(),  velocity.data(),
+            force.data(), acceleration.data(), ddq.data(),    slot_inertia.data(),  slot_bias.data()};
+  }
   static TreeTable shapeOf(int joints, std::mt19937& random) {
     std::uniform_real_distribution<double> number(-1, 1);
     TreeTable table;
@@ -74,6 +105,8 @@ struct RandomTree {
     turn.resize(joints), response.resize(joints);
     inertia.resize(joints + 1), velocity.resize(joints + 1), acceleration.resize(joints + 1);
     force.resize(joints + 1), up.resize(joints + 1), up_height.resize(joints + 1);
+    touch.assign(joints + 1, S(0)), contact.resize(joints + 1);
+    matrix.resize(static_cast<std::size_t>(matrix_plan.entries));
     slot_inertia.resize(static_cast<std::size_t>(gather.slots)), slot_bias.resize(slot_inertia.size());
   }
   static void put(S& target, int lane, double value) { reinterpret_cast<double*>(&target)[lane] = value; }

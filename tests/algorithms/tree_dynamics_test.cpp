@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "algorithms/random_tree.h"
+#include "murosimf/algorithms/inverse_dynamics.h"
 
 namespace murosimf::test {
 namespace {
@@ -20,83 +21,146 @@ double size(const SpatialMotion<double>& a) {
       {std::fabs(a.w.x), std::fabs(a.w.y), std::fabs(a.w.z), std::fabs(a.v.x), std::fabs(a.v.y), std::fabs(a.v.z)});
 }
 
-/// Accelerations by the mass matrix: base first (w, v), then joints.
-std::vector<double> byMassMatrix(RandomTree<double>& t) {
-  const int bodies = static_cast<int>(t.bodies());
-  std::vector<double> bias(t.q.size()), zero(t.q.size(), 0.0);
-  std::vector<SpatialMotion<double>> still(t.bodies());
-  std::vector<SpatialForce<double>> transmitted(t.bodies());
-  inverseDynamics(
-      t.rows.data(), bodies,
-      InverseDynamics<double>{t.turn.data(), t.dq.data(), zero.data(), t.joint_inertia.data(), t.inertia.data(),
-                              t.velocity.data(), t.force.data(), still.data(), bias.data(), transmitted.data()});
-  std::vector<RigidInertia<double>> composite(t.bodies());
-  std::vector<double> matrix(static_cast<std::size_t>(t.matrix_plan.entries));
-  const UnknownRow* unknowns = t.matrix_plan.unknowns.data();
-  const int count = static_cast<int>(t.matrix_plan.unknowns.size());
-  massMatrix(
-      t.rows.data(), bodies, unknowns,
-      CompositeBody<double>{t.turn.data(), t.joint_inertia.data(), t.inertia.data(), composite.data(), matrix.data()});
-  factorise(unknowns, count, matrix.data());
-  std::vector<double> x{-transmitted[0].n.x, -transmitted[0].n.y, -transmitted[0].n.z,
-                        -transmitted[0].f.x, -transmitted[0].f.y, -transmitted[0].f.z};
-  for (std::size_t j = 0; j < t.q.size(); ++j) x.push_back(t.torque[j] - bias[j]);
-  solveFactorised(unknowns, count, matrix.data(), x.data());
-  return x;
-}
-
-TEST(TreeDynamics, ArticulatedBodyEqualsCompositeBodyOnRandomTrees) {
-  for (int joints = 1; joints <= 40; ++joints) {
-    for (unsigned seed = 0; seed < 5; ++seed) {
-      RandomTree<double> t(joints, seed * 1000 + static_cast<unsigned>(joints), {seed});
-      articulatedBody(t.tree(), t.articulated());
-      const std::vector<double> reference = byMassMatrix(t);
-      const double scale = largest(reference);
-      const SpatialMotion<double>& a = t.acceleration[0];
-      const double base[6] = {a.w.x, a.w.y, a.w.z, a.v.x, a.v.y, a.v.z};
-      for (std::size_t k = 0; k < 6; ++k) EXPECT_NEAR(base[k], reference[k], 1e-10 * scale) << joints << " " << seed;
-      for (std::size_t j = 0; j < t.q.size(); ++j) EXPECT_NEAR(t.ddq[j], reference[j + 6], 1e-10 * scale) << joints;
-    }
-  }
-}
-
-TEST(TreeDynamics, InverseDynamicsOfTheResultGivesTheTorquesBackAndNoForceAtTheBase) {
-  for (int joints = 1; joints <= 40; ++joints) {
-    RandomTree<double> t(joints, static_cast<unsigned>(joints), {static_cast<unsigned>(joints)});
-    articulatedBody(t.tree(), t.articulated());
-    const std::vector<SpatialMotion<double>> found = t.acceleration;
-    std::vector<double> torque(t.q.size());
-    std::vector<SpatialForce<double>> transmitted(t.bodies());
-    inverseDynamics(t.rows.data(), static_cast<int>(t.bodies()),
-                    InverseDynamics<double>{t.turn.data(), t.dq.data(), t.ddq.data(), t.joint_inertia.data(),
-                                            t.inertia.data(), t.velocity.data(), t.force.data(), t.acceleration.data(),
-                                            torque.data(), transmitted.data()});
-    double scale = largest(t.ddq);
-    for (const auto& a : found) scale = std::max(scale, size(a));
-    for (std::size_t i = 0; i < t.bodies(); ++i) EXPECT_LT(size(t.acceleration[i] - found[i]), 1e-10 * scale);
-    for (std::size_t j = 0; j < torque.size(); ++j) EXPECT_NEAR(torque[j], t.torque[j], 1e-10 * scale) << joints;
-    EXPECT_LT(norm(transmitted[0].n) + norm(transmitted[0].f), 1e-10 * scale);
-  }
+/// All accelerations that a tree has found: bodies, then joints.
+std::vector<double> accelerations(const RandomTree<double>& t) {
+  std::vector<double> all = t.ddq;
+  for (const auto& a : t.acceleration) all.insert(all.end(), {a.w.x, a.w.y, a.w.z, a.v.x, a.v.y, a.v.z});
+  return all;
 }
 
 template <class S>
-void expectLanesEqualScalar() {
-  constexpr int kLanes = RandomTree<S>::kLanes;
-  std::vector<unsigned> seeds;
-  for (int lane = 0; lane < kLanes; ++lane) seeds.push_back(100 + static_cast<unsigned>(lane));
-  RandomTree<S> wide(24, 7, seeds);
-  articulatedBody(wide.tree(), wide.articulated());
-  for (int lane = 0; lane < kLanes; ++lane) {
-    RandomTree<double> one(24, 7, {seeds[static_cast<std::size_t>(lane)]});
-    articulatedBody(one.tree(), one.articulated());
-    for (std::size_t j = 0; j < one.ddq.size(); ++j) {
-      const double in_lane = reinterpret_cast<const double*>(&wide.ddq[j])[lane];
-      EXPECT_EQ(std::memcmp(&in_lane, &one.ddq[j], sizeof(double)), 0) << "lane " << lane << " joint " << j;
+void byArticulatedBodies(RandomTree<S>& t) {
+  articulatedInward(t.tree(), t.articulated(),
+                    [&](int i, ArticulatedInertia<S>& Ic, SpatialForce<S>&) { t.addContact(i, Ic); });
+  articulatedOutward(t.tree(), t.articulated());
+}
+template <class S>
+void byCompositeBodies(RandomTree<S>& t) {
+  compositeBody(t.tree(), t.composite(),
+                [&](int i, ArticulatedInertia<S>& Ic, SpatialForce<S>&) { t.addContact(i, Ic); });
+}
+
+TEST(TreeDynamics, ArticulatedBodyEqualsCompositeBodyOnRandomTreesInFlightAndInContact) {
+  for (int joints = 0; joints <= 40; ++joints) {
+    for (unsigned seed = 0; seed < 10; ++seed) {
+      RandomTree<double> t(joints, seed * 1000 + static_cast<unsigned>(joints), {seed});
+      if (seed % 2 == 1) t.touchGround({seed});
+      byArticulatedBodies(t);
+      const std::vector<double> one = accelerations(t);
+      byCompositeBodies(t);
+      const std::vector<double> other = accelerations(t);
+      const double scale = largest(one);
+      for (std::size_t k = 0; k < one.size(); ++k)
+        EXPECT_NEAR(one[k], other[k], 1e-10 * scale) << joints << " " << seed;
     }
   }
 }
 
-TEST(TreeDynamics, LanesEqualScalarBitForBit) { expectLanesEqualScalar<Pack<double, 4>>(); }
+/// Inverse dynamics of the accelerations that t has found, f = f0 - K a where it touches.
+struct Inverse {
+  std::vector<double> torque;
+  std::vector<SpatialForce<double>> transmitted;
+  std::vector<SpatialMotion<double>> acceleration;
+  explicit Inverse(RandomTree<double>& t) : torque(t.q.size()), transmitted(t.bodies()), acceleration(t.acceleration) {
+    std::vector<SpatialForce<double>> force = t.force;
+    for (std::size_t i = 0; i < t.bodies(); ++i) {
+      if (t.touch[i] > 0) force[i] = force[i] - t.contact[i] * t.acceleration[i];
+    }
+    inverseDynamics(t.rows.data(), static_cast<int>(t.bodies()),
+                    InverseDynamics<double>{t.turn.data(), t.dq.data(), t.ddq.data(), t.joint_inertia.data(),
+                                            t.inertia.data(), t.velocity.data(), force.data(), acceleration.data(),
+                                            torque.data(), transmitted.data()});
+  }
+};
+
+TEST(TreeDynamics, InverseDynamicsOfTheResultGivesTheTorquesBackAndNoForceAtTheBase) {
+  for (int joints = 1; joints <= 40; ++joints) {
+    for (const bool composite : {false, true}) {
+      const auto seed = static_cast<unsigned>(joints);
+      RandomTree<double> t(joints, seed, {seed});
+      if (joints % 2 == 1) t.touchGround({seed});
+      composite ? byCompositeBodies(t) : byArticulatedBodies(t);
+      const Inverse back(t);
+      const double scale = largest(accelerations(t));
+      for (std::size_t i = 0; i < t.bodies(); ++i)
+        EXPECT_LT(size(back.acceleration[i] - t.acceleration[i]), 1e-10 * scale);
+      // Forces of contacts, K a, are larger than those of bodies.
+      const double torques = 1e-10 * scale * (joints % 2 == 1 ? 20 : 1);
+      for (std::size_t j = 0; j < t.q.size(); ++j) EXPECT_NEAR(back.torque[j], t.torque[j], torques) << joints;
+      EXPECT_LT(norm(back.transmitted[0].n) + norm(back.transmitted[0].f), torques);
+    }
+  }
+}
+
+/// What the mass matrix has for motions j and k, j <= k: of the base (0 to 5), or of joint j - 6.
+double entryOf(const RandomTree<double>& t, const BaseEquation<double>& base, int k, int j) {
+  SpatialMotion<double> unit{};
+  if (j < 6) reinterpret_cast<double*>(&unit)[j] = 1;
+  const SpatialForce<double> column = base.Ic * unit;
+  if (k < 6) return reinterpret_cast<const double*>(&column)[k];
+  const std::vector<MatrixRow>& rows = t.matrix_plan.rows;
+  const double* row = t.matrix.data() + rows[static_cast<std::size_t>(k - 6)].offset;
+  if (j < 6) return row[j];
+  for (int i = k - 6; i >= 0; i = rows[static_cast<std::size_t>(i)].parent) {
+    if (i == j - 6) return row[6 + rows[static_cast<std::size_t>(i)].depth];
+  }
+  return 0;  // on different branches
+}
+
+TEST(TreeDynamics, ColumnsOfTheMassMatrixAreWhatUnitAccelerationsNeed) {
+  for (int joints = 1; joints <= 40; joints += 3) {
+    RandomTree<double> t(joints, 5 + static_cast<unsigned>(joints), {3});
+    t.touchGround({3});
+    const auto composite = t.composite();
+    const BaseEquation<double> base =
+        compositeInward(t.tree(), composite,
+                        [&](int i, ArticulatedInertia<double>& Ic, SpatialForce<double>&) { t.addContact(i, Ic); });
+    fillRows(t.tree(), composite);
+    // At rest, without forces, only accelerations need any.
+    std::fill(t.dq.begin(), t.dq.end(), 0.0), std::fill(t.velocity.begin(), t.velocity.end(), SpatialMotion<double>{});
+    std::fill(t.force.begin(), t.force.end(), SpatialForce<double>{});
+    for (int k = 0; k < joints + 6; ++k) {
+      std::fill(t.ddq.begin(), t.ddq.end(), 0.0);
+      t.acceleration[0] = {};
+      if (k < 6) reinterpret_cast<double*>(t.acceleration.data())[k] = 1;
+      if (k >= 6) t.ddq[static_cast<std::size_t>(k - 6)] = 1;
+      accelerateOutward(t.tree(), composite.tree, [&](int i, const auto&) { return k == i + 5 ? 1.0 : 0.0; });
+      const Inverse column(t);
+      for (int j = k; j < joints + 6; ++j) {
+        const auto* at_base = reinterpret_cast<const double*>(column.transmitted.data());
+        const double needed = j < 6 ? at_base[j] : column.torque[static_cast<std::size_t>(j - 6)];
+        EXPECT_NEAR(entryOf(t, base, j, k), needed, 1e-10 * base.Ic.M.xx) << joints << " " << j << " " << k;
+      }
+    }
+  }
+}
+
+template <class S, class Dynamics>
+void expectLanesEqualScalar(const Dynamics& dynamics) {
+  constexpr int kLanes = RandomTree<S>::kLanes;
+  std::vector<unsigned> seeds;
+  for (int lane = 0; lane < kLanes; ++lane) seeds.push_back(100 + static_cast<unsigned>(lane));
+  for (const bool in_contact : {false, true}) {
+    RandomTree<S> wide(24, 7, seeds);
+    if (in_contact) wide.touchGround(seeds);
+    dynamics(wide);
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const std::vector<unsigned> seed{seeds[static_cast<std::size_t>(lane)]};
+      RandomTree<double> one(24, 7, seed);
+      if (in_contact) one.touchGround(seed);
+      dynamics(one);
+      for (std::size_t j = 0; j < one.ddq.size(); ++j) {
+        const double in_lane = reinterpret_cast<const double*>(&wide.ddq[j])[lane];
+        EXPECT_EQ(std::memcmp(&in_lane, &one.ddq[j], sizeof(double)), 0) << "lane " << lane << " joint " << j;
+      }
+    }
+  }
+}
+
+TEST(TreeDynamics, LanesEqualScalarBitForBit) {
+  expectLanesEqualScalar<Pack<double, 4>>([](auto& t) { byArticulatedBodies(t); });
+  expectLanesEqualScalar<Pack<double, 4>>([](auto& t) { byCompositeBodies(t); });
+}
 
 /// A rod of length l and mass m on a pivot that is held: the base is very heavy.
 RandomTree<double> rodPendulum(double m, double l, double q, double dq) {

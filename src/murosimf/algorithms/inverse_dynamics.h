@@ -6,7 +6,7 @@
 /// What is left at the base is the force that somebody would have to push it with; 0 for a floating base that moves
 /// freely. Signs, frames and proper accelerations as in articulated_body.h. Cost: about 150 multiplications a joint.
 
-#include "murosimf/algorithms/articulated_body.h"
+#include "murosimf/algorithms/joint_bias.h"
 
 namespace murosimf {
 inline namespace MUROSIMF_ISA {

@@ -47,6 +47,14 @@ MUROSIMF_INLINE JointBias<Joint, S> jointBias(const SpatialMotion<S>& V, S rate)
   if constexpr (Joint::kPrismatic) return {{}, {component<C>(V.w) * rate, component<B>(V.w) * back}};
   return {{component<C>(V.w) * rate, component<B>(V.w) * back}, {component<C>(V.v) * rate, component<B>(V.v) * back}};
 }
+/// c . F.
+template <class Joint, class S>
+MUROSIMF_INLINE S dot(const JointBias<Joint, S>& c, const SpatialForce<S>& F) {
+  constexpr int B = (Joint::kAxis + 1) % 3, C = (Joint::kAxis + 2) % 3;
+  const S sum = fma(c.v.b, component<B>(F.f), c.v.c * component<C>(F.f));
+  if constexpr (Joint::kPrismatic) return sum;
+  return fma(c.w.b, component<B>(F.n), fma(c.w.c, component<C>(F.n), sum));
+}
 template <class Joint, class S>
 MUROSIMF_INLINE void add(SpatialMotion<S>& a, const JointBias<Joint, S>& c) {
   if constexpr (!Joint::kPrismatic) add(a.w, c.w);

@@ -86,6 +86,15 @@ struct JointFrame {
     }
     bringAlong<0>(a, p), bringAlong<1>(a, p), bringAlong<2>(a, p);
   }
+  /// The same for a force alone.
+  MUROSIMF_INLINE void bringToParent(SpatialForce<S>& p) const {
+    if constexpr (kSlides) shiftAlong<A>(p, turn.sin);
+    if (row.turned) [[unlikely]] {
+      const Rotation<S> R_PF = rotationFrom<S>(row.rotation);
+      p = {R_PF * p.n, R_PF * p.f};
+    }
+    bringAlong<0>(p), bringAlong<1>(p), bringAlong<2>(p);
+  }
   MUROSIMF_INLINE RigidInertia<S> outOf(RigidInertia<S> a) const {
     if constexpr (!kSlides) a = {a.m, turnedAbout<A>(a.mc, turn), turnedAbout<A>(a.I, turn)};
     if (row.turned) {
@@ -99,6 +108,10 @@ struct JointFrame {
     if (row.translation[K] == 0) return;
     const S r(row.translation[K]);
     shiftAlong<K>(a, r), shiftAlong<K>(p, r);
+  }
+  template <int K>
+  MUROSIMF_INLINE void bringAlong(SpatialForce<S>& p) const {
+    if (row.translation[K] != 0) shiftAlong<K>(p, S(row.translation[K]));
   }
   /// The component of a force that the joint's motor feels: S^T f.
   static S along(const SpatialForce<S>& a) { return component<A>(kSlides ? a.f : a.n); }
