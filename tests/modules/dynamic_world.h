@@ -2,6 +2,7 @@
 
 /// @file Robots with dynamics on the ground: what the tests of contacts, servos and levels of detail need.
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <map>
@@ -38,6 +39,12 @@ struct DynamicLevel {
 inline DynamicLevel multibody(const std::string& contact = "hunt_crossley_contact",
                               const std::string& integrator = "implicit_euler") {
   return {{"servo_controller", "position_servo", "tree_motion", contact, "multibody_dynamics", integrator}};
+}
+/// The same, but accelerations by the mass matrix.
+inline DynamicLevel byMassMatrix(DynamicLevel level) {
+  std::replace(level.modules.begin(), level.modules.end(), std::string("multibody_dynamics"),
+               std::string("composite_body_dynamics"));
+  return level;
 }
 
 /// Modules of simplified dynamics; without `contact` for free flight.

@@ -63,6 +63,10 @@ class TestRig {
     constants_.push_back({joint, property, value});
     return *this;
   }
+  TestRig& inPlaceOfMultibody(const std::string& module) {
+    modules_[1] = module;
+    return *this;
+  }
   /// Adds modules besides tree_motion and multibody_dynamics.
   TestRig& use(std::vector<std::string> modules) {
     for (std::string& module : modules) modules_.push_back(std::move(module));

@@ -10,6 +10,7 @@
 #include "murosimf/modules/actuation/tracking_servo.h"
 #include "murosimf/modules/contact/ground_contact.h"
 #include "murosimf/modules/dynamics/body_accelerations.h"
+#include "murosimf/modules/dynamics/composite_body_dynamics.h"
 #include "murosimf/modules/dynamics/multibody_dynamics.h"
 #include "murosimf/modules/dynamics/prescribed_tree_motion.h"
 #include "murosimf/modules/dynamics/simplified_dynamics.h"
@@ -52,6 +53,7 @@ ModuleRegistry allModules() {
   all.add<PaperContact>("paper_contact", "contact", "ground: the paper's law, viscous friction");
   all.add<GroundContact>("ground_contact", "contact", "ground: the laws of the scenario's table of surfaces");
   all.add<MultibodyDynamics>("multibody_dynamics", "motion", "every body has its mass, every joint its torque");
+  all.add<CompositeBodyDynamics>("composite_body_dynamics", "motion", "the same by the mass matrix of the robot");
   all.add<PrescribedTreeMotion>("prescribed_tree_motion", "velocities", "the one of simplified dynamics");
   all.add<SimplifiedDynamics>("simplified_dynamics", "motion", "joints move as prescribed, the whole robot is one body",
                               SimplifiedDynamics::parameters());

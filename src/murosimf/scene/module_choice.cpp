@@ -40,7 +40,8 @@ struct Level {
 };
 constexpr Level kLevels[] = {{"kinematic", "kinematic_walking", kKinematicSlots, 0.01},
                              {"fast", "simplified_dynamics", kSimplifiedSlots, 0},
-                             {"full", "multibody_dynamics", kMultibodySlots, 0}};
+                             {"full", "multibody_dynamics", kMultibodySlots, 0},
+                             {"full", "composite_body_dynamics", kMultibodySlots, 0}};
 constexpr std::string_view kExtraModule = "modules.";
 
 std::vector<std::string> slotNames(const Level& level) {
