@@ -14,8 +14,6 @@ template <class T>
 class LaneValues {
  public:
   LaneValues(double* first, int stride) : first_(first), stride_(stride) {}
-  /// Values of all objects, where they stand until the next exchange of levels: for loops over many.
-  LaneValues<T> values() const { return {cell_->first, cell_->stride}; }
   /// Value of the subset's object number `object`.
   T get(int object = 0) const {
     double numbers[sizeof(T) / sizeof(double)];
@@ -57,6 +55,8 @@ class Handle {
   int size() const { return cell_->objects; }
   int period() const { return cell_->period; }
   Phase phase() const { return cell_->phase; }
+  /// Values of all objects, where they stand until the next exchange of levels: for loops over many.
+  LaneValues<T> values() const { return {cell_->first, cell_->stride}; }
   /// Value of the subset's object number `object`.
   T get(int object = 0) const { return LaneValues<T>(cell_->first, cell_->stride).get(object); }
   void set(const T& value, int object = 0) { LaneValues<T>(cell_->first, cell_->stride).set(value, object); }
