@@ -166,6 +166,24 @@ TEST(UrdfReader, JointWithoutServoMayHaveASensor) {
   EXPECT_TRUE(read(withShoulder("continuous", "")).model->joint_sensors.empty());
 }
 
+TEST(UrdfReader, TouchAndForceSensorsStandOnTheirLinks) {
+  const std::string arm = "<link name='hand'>" + kInertial +
+                          "<collision><geometry><sphere radius='0.1'/></geometry></collision><murosimf>"
+                          "<touch_sensor name='palm' threshold='2.5'/><force_sensor name='wrist' xyz='0 0 0.1' "
+                          "rpy='0 0.3 0'/></murosimf></link><joint name='wrist_joint' type='continuous'><parent "
+                          "link='arm'/><child link='hand'/></joint>";
+  const Reading r = read(withShoulder("continuous", "") + arm);
+  ASSERT_TRUE(r.model.has_value()) << r.diagnostics.text();
+  ASSERT_EQ(r.model->touch_sensors.size(), 1U);
+  EXPECT_EQ(r.model->touch_sensors[0].name, "palm");
+  EXPECT_EQ(r.model->touch_sensors[0].body, r.model->tree.bodyIndex("hand"));
+  EXPECT_EQ(r.model->touch_sensors[0].threshold, 2.5);
+  ASSERT_EQ(r.model->force_sensors.size(), 1U);
+  EXPECT_EQ(r.model->force_sensors[0].body, r.model->tree.bodyIndex("hand"));
+  EXPECT_EQ(r.model->force_sensors[0].X_BM.translation, (Vector3{0, 0, 0.1}));
+  EXPECT_EQ(r.model->force_sensors[0].X_BM.rotation, rotationY(0.3));
+}
+
 TEST(UrdfReader, AnyPropertyMayBeSetOnAnyObject) {
   const Reading r = read(
       "<murosimf><property name='wind' value='1 2 3'/><property object='eye' name='noise' "

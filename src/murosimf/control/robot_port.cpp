@@ -1,5 +1,6 @@
 #include "murosimf/control/robot_port.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace murosimf {
@@ -7,12 +8,18 @@ namespace murosimf {
 namespace {
 
 constexpr double kTouchHeight = 5e-4;  // [m] below which a sole counts as touching
-constexpr double kTouchForce = 1;      // [N] above which it does where forces are known
+constexpr double kFootForce = 1;       // [N] above which it does where forces are known
 
 bool isUsable(const client::JointCommand& c) {
   const bool finite = std::isfinite(c.position) && std::isfinite(c.velocity) && std::isfinite(c.torque) &&
                       std::isfinite(c.kp) && std::isfinite(c.kd);
   return finite && c.kp >= 0 && c.kd >= 0;
+}
+
+template <class T>
+Sensed<T> sensed(LinkedWorld& linked, ObjectId robot, const Variable<T>& truth, const Variable<T>& reading,
+                 std::string_view of) {
+  return {linked.handle(robot, truth, of), linked.handle(robot, reading, of)};
 }
 
 }  // namespace
@@ -27,6 +34,16 @@ const OutsideAccess& RobotPort::robotAccess() {
     d.readsIfAdded(kSolePressure, subset::kSoles);
     d.readsIfAdded(kGyroscope);
     d.readsIfAdded(kAccelerometer);
+    d.readsIfAdded(kJointPositionReading, subset::kJoints);
+    d.readsIfAdded(kJointVelocityReading, subset::kJoints);
+    d.readsIfAdded(kMeasuredTorqueReading, subset::kJoints);
+    d.readsIfAdded(kSolePressureReading, subset::kSoles);
+    d.readsIfAdded(kGyroscopeReading);
+    d.readsIfAdded(kAccelerometerReading);
+    d.readsIfAdded(kTouch, subset::kTouchSensors);
+    d.readsIfAdded(kTouchReading, subset::kTouchSensors);
+    d.readsIfAdded(kSensedForce, subset::kForceSensors);
+    d.readsIfAdded(kSensedForceReading, subset::kForceSensors);
   });
   return access;
 }
@@ -35,14 +52,18 @@ RobotPort::RobotPort(LinkedWorld& linked, ObjectId robot, client::RobotDescripti
     : robot_(robot),
       description_(std::move(description)),
       command_(linked.handle(robot, kJointCommand, subset::kJoints)),
-      position_(linked.handle(robot, kJointPosition, subset::kJoints)),
-      velocity_(linked.handle(robot, kJointVelocity, subset::kJoints)),
-      torque_(linked.handle(robot, kMeasuredTorque, subset::kJoints)),
       clearance_(linked.handle(robot, kSoleClearance, subset::kSoles)),
-      pressure_(linked.handle(robot, kSolePressure, subset::kSoles)),
-      gyroscope_(linked.handle(robot, kGyroscope)),
-      accelerometer_(linked.handle(robot, kAccelerometer)),
-      joints_(description_.joints.size()) {}
+      position_(sensed(linked, robot, kJointPosition, kJointPositionReading, subset::kJoints)),
+      velocity_(sensed(linked, robot, kJointVelocity, kJointVelocityReading, subset::kJoints)),
+      torque_(sensed(linked, robot, kMeasuredTorque, kMeasuredTorqueReading, subset::kJoints)),
+      pressure_(sensed(linked, robot, kSolePressure, kSolePressureReading, subset::kSoles)),
+      gyroscope_(sensed(linked, robot, kGyroscope, kGyroscopeReading, subset::kSelf)),
+      accelerometer_(sensed(linked, robot, kAccelerometer, kAccelerometerReading, subset::kSelf)),
+      touch_(sensed(linked, robot, kTouch, kTouchReading, subset::kTouchSensors)),
+      force_(sensed(linked, robot, kSensedForce, kSensedForceReading, subset::kForceSensors)),
+      joints_(description_.joints.size()),
+      touches_(description_.touch_sensors.size()),
+      forces_(description_.force_sensors.size()) {}
 
 void RobotPort::readSensors(double t, client::SensorFrame& sensors) {
   for (std::size_t i = 0; i < joints_.size(); ++i) {
@@ -53,13 +74,32 @@ void RobotPort::readSensors(double t, client::SensorFrame& sensors) {
   sensors.joints = joints_;
   if (gyroscope_.valid()) sensors.angular_velocity = gyroscope_.get();
   if (accelerometer_.valid()) sensors.specific_force = accelerometer_.get();
-  for (int i = 0; i < 2; ++i) sensors.foot_touches[static_cast<std::size_t>(i)] = touches(i);
+  for (std::size_t i = 0; i < 2; ++i) {
+    sensors.foot_touches[i] = touches(static_cast<int>(i));
+    sensors.foot_pressure[i] = pressureOf(static_cast<int>(i));
+  }
+  for (std::size_t i = 0; i < touches_.size(); ++i) {
+    const int sensor = static_cast<int>(i);
+    touches_[i] = touch_.size() > sensor && touch_.get(sensor) > 0.5 ? 1 : 0;
+  }
+  for (std::size_t i = 0; i < forces_.size(); ++i) {
+    const int sensor = static_cast<int>(i);
+    forces_[i] = force_.size() > sensor ? force_.get(sensor) : Vector3{};
+  }
+  sensors.touches = touches_;
+  sensors.forces = forces_;
+}
+
+std::array<double, 4> RobotPort::pressureOf(int sole) const {
+  std::array<double, 4> corners{};
+  if (pressure_.size() > sole) std::copy_n(pressure_.get(sole).of, 4, corners.begin());
+  return corners;
 }
 
 bool RobotPort::touches(int sole) const {
   if (pressure_.size() > sole) {
     const CornerForces<> corners = pressure_.get(sole);
-    return corners.of[0] + corners.of[1] + corners.of[2] + corners.of[3] > kTouchForce;
+    return corners.of[0] + corners.of[1] + corners.of[2] + corners.of[3] > kFootForce;
   }
   return clearance_.size() > sole && clearance_.get(sole) < kTouchHeight;
 }

@@ -2,6 +2,7 @@
 
 /// @file A robot port: two plain frames, sensors out and commands in, between one robot and its control software.
 
+#include <array>
 #include <vector>
 
 #include "murosimf/control/client/robot_description.h"
@@ -11,6 +12,15 @@
 #include "murosimf/world/vocabulary.h"
 
 namespace murosimf {
+
+/// A value that a sensor gives: what it reads, where the robot has a module for its errors, else what is.
+template <class T>
+struct Sensed {
+  Handle<T> truth, reading;
+  bool valid() const { return truth.valid(); }
+  int size() const { return truth.size(); }
+  T get(int object = 0) const { return reading.valid() ? reading.get(object) : truth.get(object); }
+};
 
 /// Joins the properties of one robot with the frames of its control software. A command that is not finite is refused
 /// here, joint by joint, before it can enter physics.
@@ -24,7 +34,8 @@ class RobotPort {
   ObjectId robot() const { return robot_; }
   const client::RobotDescription& description() const { return description_; }
 
-  /// Reads joints, inertial sensor and soles as they are now. Pictures, messages and game are the caller's to add.
+  /// Reads joints, inertial sensor, soles, touch and force sensors as they are now. Pictures, messages and game are the
+  /// caller's to add.
   void readSensors(double t, client::SensorFrame& sensors);
   /// A command frame of the right size in which every joint asks for nothing.
   client::CommandFrame emptyCommands() const;
@@ -33,13 +44,19 @@ class RobotPort {
 
  private:
   bool touches(int sole) const;
+  std::array<double, 4> pressureOf(int sole) const;
   ObjectId robot_;
   client::RobotDescription description_;
   Handle<ServoCommand> command_;
-  Handle<double> position_, velocity_, torque_, clearance_;
-  Handle<CornerForces<>> pressure_;  // of soles
-  Handle<Vector3> gyroscope_, accelerometer_;
+  Handle<double> clearance_;
+  Sensed<double> position_, velocity_, torque_;
+  Sensed<CornerForces<>> pressure_;  // of soles
+  Sensed<Vector3> gyroscope_, accelerometer_;
+  Sensed<double> touch_;   // of touch sensors
+  Sensed<Vector3> force_;  // of force sensors
   std::vector<client::JointReading> joints_;
+  std::vector<std::uint8_t> touches_;
+  std::vector<Vector3> forces_;
 };
 
 }  // namespace murosimf

@@ -62,6 +62,22 @@ struct PressureSensorMount {
   SourceLocation where{};
 };
 
+/// Tells whether something presses on the shapes of a body: a bumper, a switch under a foot.
+struct TouchSensorMount {
+  std::string name{};
+  int body = -1;
+  double threshold = 1;  ///< force above which it closes [N]
+  SourceLocation where{};
+};
+
+/// Measures the force with which all that hangs on a body's joint presses on what carries it, in its own axes M.
+struct ForceSensorMount {
+  std::string name{};
+  int body = -1;  ///< first body behind its joint
+  Pose X_BM{};
+  SourceLocation where{};
+};
+
 /// Reports a joint's position, in steps of `resolution` [rad or m]; 0: exact. Every servo brings one.
 struct JointSensorMount {
   int joint = -1;
@@ -88,6 +104,8 @@ struct RobotModel {
   std::vector<CameraMount> cameras{};
   std::vector<ImuMount> imus{};
   std::vector<PressureSensorMount> pressure_sensors{};
+  std::vector<TouchSensorMount> touch_sensors{};
+  std::vector<ForceSensorMount> force_sensors{};
   std::vector<JointSensorMount> joint_sensors{};  ///< at most one a joint, in the order of joints
   /// Pairs of bodies (smaller index first, ascending) that are never tested for contact with each other.
   std::vector<std::pair<int, int>> ignored_pairs{};

@@ -39,9 +39,18 @@ class Assembler {
     int joint;
   };
 
+  /// What they measure passes through the joint that moves their link.
+  void refuseForceSensors(int link, const std::string& reason) {
+    for (const ForceSensorMount& sensor : robot_.links[at(link)].force_sensors) {
+      diagnostics_.error(sensor.where, "force_sensor " + quoted(sensor.name) + " stands in a link that " + reason +
+                                           ", expected one that a joint moves");
+    }
+  }
+
   void buildTree() {
     TreeBuilder builder;
     std::vector<Open> open;
+    refuseForceSensors(graph_.root, "carries the others");
     addLink(builder.base(robot_.links[at(graph_.root)].body.name), graph_.root, open);
     while (!open.empty()) {
       const Open next = open.back();
@@ -49,7 +58,9 @@ class Assembler {
       const JointPart& part = robot_.joints[at(next.joint)];
       TreePlace place = next.place.pose(part.X_PJ);
       if (!part.fixed) place = place.joint(part.joint);
-      addLink(place, graph_.child_of_joint[at(next.joint)], open);
+      const int link = graph_.child_of_joint[at(next.joint)];
+      if (part.fixed) refuseForceSensors(link, "is fixed to " + quoted(part.parent.name));
+      addLink(place, link, open);
     }
     model_.tree = builder.draft();
     reportMassless();
@@ -74,6 +85,8 @@ class Assembler {
     for (const Sole& sole : link.soles) mount(model_.soles, sole);
     for (const ImuMount& imu : link.imus) mount(model_.imus, imu);
     for (const PressureSensorMount& sensor : link.pressure_sensors) mount(model_.pressure_sensors, sensor);
+    for (const TouchSensorMount& sensor : link.touch_sensors) mount(model_.touch_sensors, sensor);
+    for (const ForceSensorMount& sensor : link.force_sensors) mount(model_.force_sensors, sensor);
     for (const CameraPart& camera : link.cameras) {
       mount(model_.cameras, camera.mount);
       hides_.push_back(&camera.hides);
@@ -141,6 +154,7 @@ class Assembler {
     };
     add(model_.tree.bodies), add(model_.tree.joints), add(model_.soles);
     add(model_.cameras), add(model_.imus), add(model_.pressure_sensors);
+    add(model_.touch_sensors), add(model_.force_sensors);
     for (const JointPart& part : robot_.joints) names.push_back(part.joint.name);  // those that are fixed, too
     return names;
   }

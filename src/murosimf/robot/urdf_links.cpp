@@ -151,6 +151,8 @@ void checkNames(const RobotPart& robot, Diagnostics& diagnostics) {
     for (const CameraPart& camera : link.cameras) claim("camera", camera.mount.name, camera.mount.where);
     for (const ImuMount& imu : link.imus) claim("imu", imu.name, imu.where);
     for (const PressureSensorMount& s : link.pressure_sensors) claim("pressure_sensor", s.name, s.where);
+    for (const TouchSensorMount& s : link.touch_sensors) claim("touch_sensor", s.name, s.where);
+    for (const ForceSensorMount& s : link.force_sensors) claim("force_sensor", s.name, s.where);
   }
   for (const JointPart& part : robot.joints) claim("joint", part.joint.name, part.joint.where);
 }

@@ -130,6 +130,34 @@ PressureSensorMount readPressureSensor(const XmlElement& element, const LinkPart
   return sensor;
 }
 
+/// It feels what touches the shapes of its link: there must be some.
+TouchSensorMount readTouchSensor(const XmlElement& element, const LinkPart& link, RobotPart& robot) {
+  element.accept({"name", "threshold"}, {"property"});
+  TouchSensorMount sensor{.name = readName(element), .where = element.where()};
+  const int before = element.diagnostics().errorCount();
+  sensor.threshold = element.number("threshold", sensor.threshold);
+  if (element.diagnostics().errorCount() == before && sensor.threshold < 0) {
+    element.errorAt("threshold", fmt::format("is {:g} N, expected 0 or more", sensor.threshold));
+  }
+  const std::vector<BodyShape>& shapes = link.body.shapes;
+  if (std::none_of(shapes.begin(), shapes.end(), [](const BodyShape& shape) { return shape.collides; })) {
+    element.error("stands in a link that touches nothing, expected one with a <collision>");
+  }
+  if (!link.touch_sensors.empty()) {
+    element.error(fmt::format("is the second of its link, after the one in line {}, expected one",
+                              link.touch_sensors.front().where.line));
+  }
+  readProperties(element, sensor.name, robot);
+  return sensor;
+}
+
+ForceSensorMount readForceSensor(const XmlElement& element, RobotPart& robot) {
+  element.accept({"name", "xyz", "rpy"}, {"property"});
+  ForceSensorMount sensor{.name = readName(element), .X_BM = element.pose(), .where = element.where()};
+  readProperties(element, sensor.name, robot);
+  return sensor;
+}
+
 void readServoType(const XmlElement& element, RobotPart& robot) {
   const int before = element.diagnostics().errorCount();
   element.accept({"name", "stall_torque", "no_load_speed", "kp", "kd", "armature", "resolution", "backlash", "file"});
@@ -192,6 +220,12 @@ void readMounts(const XmlElement& extension, LinkPart& link, RobotPart& robot) {
   for (const XmlElement& imu : extension.children("imu")) link.imus.push_back(readImu(imu, robot));
   for (const XmlElement& sensor : extension.children("pressure_sensor")) {
     link.pressure_sensors.push_back(readPressureSensor(sensor, link, robot));
+  }
+  for (const XmlElement& sensor : extension.children("touch_sensor")) {
+    link.touch_sensors.push_back(readTouchSensor(sensor, link, robot));
+  }
+  for (const XmlElement& sensor : extension.children("force_sensor")) {
+    link.force_sensors.push_back(readForceSensor(sensor, robot));
   }
 }
 

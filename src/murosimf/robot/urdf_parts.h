@@ -34,6 +34,8 @@ struct LinkPart {
   std::vector<CameraPart> cameras{};
   std::vector<ImuMount> imus{};
   std::vector<PressureSensorMount> pressure_sensors{};
+  std::vector<TouchSensorMount> touch_sensors{};
+  std::vector<ForceSensorMount> force_sensors{};
 };
 
 struct JointPart {

@@ -16,13 +16,20 @@ MountPlace placeOn(const RobotBlueprint& b, int body, const Pose& X_BM) {
   return {place.row, place.X_RB * X_BM};
 }
 
+int touchSensorOf(const RobotModel& model, std::size_t body) {
+  for (std::size_t i = 0; i < model.touch_sensors.size(); ++i) {
+    if (model.touch_sensors[i].body == static_cast<int>(body)) return static_cast<int>(i);
+  }
+  return -1;
+}
+
 std::vector<PlacedShape> shapesOf(const RobotBlueprint& b, const Colour& team_colour) {
   std::vector<PlacedShape> shapes;
   for (std::size_t i = 0; i < b.model.tree.bodies.size(); ++i) {
     for (const BodyShape& s : b.model.tree.bodies[i].shapes) {
       const MountPlace place = placeOn(b, static_cast<int>(i), s.X_BS);
-      shapes.push_back(
-          {place.row, place.X_RM, s.shape, s.team_colour ? team_colour : s.colour, s.surface, s.collides, s.drawn});
+      shapes.push_back({place.row, place.X_RM, s.shape, s.team_colour ? team_colour : s.colour, s.surface, s.collides,
+                        s.drawn, touchSensorOf(b.model, i)});
     }
   }
   return shapes;
@@ -96,6 +103,20 @@ void addCameras(World& world, ObjectId robot, const RobotBlueprint& b) {
   world.defineSubset(robot, kCamerasSubset, std::move(cameras));
 }
 
+void addTouchAndForceSensors(World& world, ObjectId robot, const RobotBlueprint& b) {
+  std::vector<ObjectId> touch, force;
+  for (const TouchSensorMount& sensor : b.model.touch_sensors) {
+    touch.push_back(world.add(robot, sensor.name));
+    world.set(touch.back(), kTouchThreshold, sensor.threshold, sensor.where);
+  }
+  for (const ForceSensorMount& sensor : b.model.force_sensors) {
+    force.push_back(world.add(robot, sensor.name));
+    world.set(force.back(), kForcePlace, placeOn(b, sensor.body, sensor.X_BM), sensor.where);
+  }
+  world.defineSubset(robot, subset::kTouchSensors, std::move(touch));
+  world.defineSubset(robot, subset::kForceSensors, std::move(force));
+}
+
 }  // namespace
 
 const std::string& rowName(const RobotBlueprint& b, int row) { return b.flat.row_names[static_cast<std::size_t>(row)]; }
@@ -113,6 +134,7 @@ ObjectId addRobot(World& world, const std::string& path, const RobotBlueprint& b
   addJoints(world, robot, b);
   addBodies(world, robot, b);
   addCameras(world, robot, b);
+  addTouchAndForceSensors(world, robot, b);
   std::vector<ObjectId> soles;
   for (const Side side : {Side::kRight, Side::kLeft}) {
     for (const Sole& sole : b.model.soles) {

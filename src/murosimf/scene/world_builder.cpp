@@ -225,6 +225,8 @@ client::RobotDescription WorldBuilder::describe(const RobotSettings& robot) cons
     Diagnostics told_already;
     c.period = cameraChoice(robot, camera, *scene_.simulation.control_period, told_already).settings.period;
   }
+  for (const TouchSensorMount& sensor : model.touch_sensors) d.touch_sensors.push_back(sensor.name);
+  for (const ForceSensorMount& sensor : model.force_sensors) d.force_sensors.push_back(sensor.name);
   d.field = fieldDescription(scene_);
   const bool plus = *(robot.team == "red" ? scene_.red : scene_.blue).attacks_positive_x;
   d.attacks_positive_x = plus;

@@ -54,11 +54,13 @@ inline constexpr bool kIsNumeric<Vector3> = true;
 
 /// Names of the groups of objects that an assembly (a robot, a ball) hands out.
 namespace subset {
-inline constexpr std::string_view kSelf = "self";      ///< the assembly's own object
-inline constexpr std::string_view kWorld = "world";    ///< the root, which holds what all share
-inline constexpr std::string_view kJoints = "joints";  ///< in the order of the control software's frames
-inline constexpr std::string_view kBodies = "bodies";  ///< rows of the tree table, the base first
-inline constexpr std::string_view kSoles = "soles";    ///< right, left
+inline constexpr std::string_view kSelf = "self";                   ///< the assembly's own object
+inline constexpr std::string_view kWorld = "world";                 ///< the root, which holds what all share
+inline constexpr std::string_view kJoints = "joints";               ///< in the order of the control software's frames
+inline constexpr std::string_view kBodies = "bodies";               ///< rows of the tree table, the base first
+inline constexpr std::string_view kSoles = "soles";                 ///< right, left
+inline constexpr std::string_view kTouchSensors = "touch_sensors";  ///< in the order of the robot file
+inline constexpr std::string_view kForceSensors = "force_sensors";  ///< likewise
 }  // namespace subset
 
 }  // namespace murosimf

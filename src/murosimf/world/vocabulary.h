@@ -12,6 +12,7 @@
 #include "murosimf/algorithms/corner_forces.h"
 #include "murosimf/algorithms/ray_scene.h"
 #include "murosimf/algorithms/shape.h"
+#include "murosimf/algorithms/touch_response.h"
 #include "murosimf/algorithms/tree_table.h"
 #include "murosimf/math/spatial.h"
 #include "murosimf/world/property.h"
@@ -41,6 +42,7 @@ struct PlacedShape {
   Colour colour;
   std::string surface;  ///< surface type, for the table of surface pairs
   bool collides = true, drawn = true;
+  int touch_sensor = -1;  ///< that feels it, counted in the robot's; -1: none
   friend bool operator==(const PlacedShape&, const PlacedShape&) = default;
 };
 
@@ -75,6 +77,10 @@ inline constexpr Constant<double> kEncoderResolution{"encoder_resolution", "rad"
 inline constexpr Constant<double> kBacklash{"backlash", "rad", "play between the servo and its joint"};
 inline constexpr Constant<double> kBlockingRadius{"blocking_radius", "m",
                                                   "radius of the upright cylinder that kinematic robots keep clear of"};
+inline constexpr Constant<double> kTouchThreshold{"touch_threshold", "N", "force above which a touch sensor closes"};
+inline constexpr Constant<MountPlace> kForcePlace{"force_place", "", "mount of a force sensor, on what it carries"};
+inline constexpr Constant<double> kNoiseKey{"noise_key", "1",
+                                            "whole number below 2^53 from which its random numbers follow"};
 // Constants of single bodies.
 inline constexpr Constant<double> kMass{"mass", "kg", "m > 0"};
 inline constexpr Constant<double> kInertiaFactor{"inertia_factor", "1", "beta of a ball: I = beta m r^2"};
@@ -174,6 +180,9 @@ inline constexpr Variable<double> kContactTouch{"contact_touch", "1", "1 where c
 inline constexpr Variable<CornerResponses<>> kSoleResponse{"sole_response", "SI", "normal forces on a sole's corners",
                                                            Storage::kStep};
 
+inline constexpr Variable<TouchResponse<>> kTouchResponse{
+    "touch_response", "SI", "normal force on the shapes of a touch sensor", Storage::kStep};
+
 // Variables of sensors.
 inline constexpr Variable<Vector3> kGyroscope{"gyroscope", "rad/s", "angular velocity in the sensor's axes",
                                               Storage::kKept};
@@ -181,5 +190,29 @@ inline constexpr Variable<Vector3> kAccelerometer{"accelerometer", "m/s^2", "spe
                                                   Storage::kKept};
 inline constexpr Variable<CornerForces<>> kSolePressure{"sole_pressure", "N", "normal forces on a sole's corners",
                                                         Storage::kKept};
+inline constexpr Variable<double> kPushForce{"push_force", "N", "of free bodies on a touch sensor, mean over the frame",
+                                             Storage::kKept};
+inline constexpr Variable<double> kTouchForce{"touch_force", "N", "with which ground and free bodies press on it",
+                                              Storage::kKept};
+inline constexpr Variable<double> kTouch{"touch", "1", "1 where touch_force is above touch_threshold, else 0",
+                                         Storage::kKept};
+inline constexpr Variable<Vector3> kSensedForce{"sensed_force", "N", "of a force sensor, in its axes", Storage::kKept};
+
+// What sensors say of these, where a robot has a module for their errors.
+inline constexpr Variable<Vector3> kGyroscopeReading{"gyroscope_reading", "rad/s", "gyroscope with its errors",
+                                                     Storage::kKept};
+inline constexpr Variable<Vector3> kAccelerometerReading{"accelerometer_reading", "m/s^2",
+                                                         "accelerometer with its errors", Storage::kKept};
+inline constexpr Variable<CornerForces<>> kSolePressureReading{"sole_pressure_reading", "N",
+                                                               "sole_pressure with its errors", Storage::kKept};
+inline constexpr Variable<double> kJointPositionReading{"joint_position_reading", "rad",
+                                                        "joint_position with its errors", Storage::kKept};
+inline constexpr Variable<double> kJointVelocityReading{"joint_velocity_reading", "rad/s",
+                                                        "joint_velocity with its errors", Storage::kKept};
+inline constexpr Variable<double> kMeasuredTorqueReading{"measured_torque_reading", "N m",
+                                                         "measured_torque with its errors", Storage::kKept};
+inline constexpr Variable<double> kTouchReading{"touch_reading", "1", "touch with its errors", Storage::kKept};
+inline constexpr Variable<Vector3> kSensedForceReading{"sensed_force_reading", "N", "sensed_force with its errors",
+                                                       Storage::kKept};
 
 }  // namespace murosimf

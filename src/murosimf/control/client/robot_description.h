@@ -53,6 +53,8 @@ struct RobotDescription {
   std::string role;   ///< free text of the scenario's control parameters: "keeper", "defender", "striker"
   std::vector<JointDescription> joints;    ///< in the order of sensor and command frames
   std::vector<CameraDescription> cameras;  ///< in the order of CameraPicture::camera
+  std::vector<std::string> touch_sensors;  ///< in the order of SensorFrame::touches
+  std::vector<std::string> force_sensors;  ///< in the order of SensorFrame::forces
   FieldDescription field;
   bool attacks_positive_x = true;  ///< red's and blue's own frames: +x is the goal they attack, after this turn
   std::string goal_colour_attacked, goal_colour_defended;  ///< "yellow" or "blue"

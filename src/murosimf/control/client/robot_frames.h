@@ -49,12 +49,17 @@ struct TeamMessage {
 };
 
 struct SensorFrame {
-  double time = 0;                             ///< simulated time of the readings [s]
-  std::span<const JointReading> joints;        ///< as RobotDescription::joints
-  Vector3 angular_velocity;                    ///< gyroscope, IMU axes [rad/s]
-  Vector3 specific_force;                      ///< accelerometer, IMU axes [m/s^2]: +9.81 along the upward axis at rest
-  std::array<bool, 2> foot_touches{};          ///< right, left
-  std::span<const CameraPicture> pictures;     ///< those whose time has come since the last frame
+  double time = 0;                       ///< simulated time of the readings [s]
+  std::span<const JointReading> joints;  ///< as RobotDescription::joints
+  Vector3 angular_velocity;              ///< gyroscope, IMU axes [rad/s]
+  Vector3 specific_force;                ///< accelerometer, IMU axes [m/s^2]: +9.81 along the upward axis at rest
+  std::array<bool, 2> foot_touches{};    ///< right, left
+  /// Under the soles' corners, right and left, in the order (-x -y), (+x -y), (-x +y), (+x +y) [N]; 0 where the level
+  /// of detail knows none.
+  std::array<std::array<double, 4>, 2> foot_pressure{};
+  std::span<const std::uint8_t> touches;    ///< as RobotDescription::touch_sensors: 1 where something presses, else 0
+  std::span<const Vector3> forces;          ///< as RobotDescription::force_sensors, in their axes [N]
+  std::span<const CameraPicture> pictures;  ///< those whose time has come since the last frame
   std::span<const TeamMessage> team_messages;  ///< from team mates
   GameInfo game;
 };
