@@ -76,6 +76,8 @@ class DynamicWorld {
       d.readsIfAdded(kGyroscope), d.readsIfAdded(kAccelerometer);
       d.readsIfAdded(kSolePressure, subset::kSoles);
       d.readsIfAdded(kMeasuredTorque, subset::kJoints), d.readsIfAdded(kServoLoad, subset::kJoints);
+      d.readsIfAdded(kTouch, subset::kTouchSensors), d.readsIfAdded(kTouchForce, subset::kTouchSensors);
+      d.readsIfAdded(kSensedForce, subset::kForceSensors);
     });
     Linker linker(world_, registry_, {step_, lanes});
     for (const ObjectId robot : robots_) {

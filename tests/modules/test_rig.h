@@ -67,6 +67,11 @@ class TestRig {
     modules_[1] = module;
     return *this;
   }
+  /// Adds a force sensor on the body of a joint, turned by R_RM.
+  TestRig& forceSensor(int joint, const Rotation3& R_RM = {}) {
+    force_places_.push_back({joint + 1, {R_RM, {}}});
+    return *this;
+  }
   /// Adds modules besides tree_motion and multibody_dynamics.
   TestRig& use(std::vector<std::string> modules) {
     for (std::string& module : modules) modules_.push_back(std::move(module));
@@ -79,7 +84,10 @@ class TestRig {
     return *this;
   }
   void link(const Method& integrator, double step, int lanes = 1) {
-    static const OutsideAccess driver([](Declaration& d) { d.adds(kJointCommand, subset::kJoints); });
+    static const OutsideAccess driver([](Declaration& d) {
+      d.adds(kJointCommand, subset::kJoints);
+      d.readsIfAdded(kSensedForce, subset::kForceSensors);
+    });
     step_ = step;
     buildRobot();
     Linker linker(world_, registry_, LinkOptions{step, lanes});
@@ -106,8 +114,8 @@ class TestRig {
   double q(int joint) { return linked_->handle(robot_, kJointPosition, subset::kJoints).get(joint); }
   double dq(int joint) { return linked_->handle(robot_, kJointVelocity, subset::kJoints).get(joint); }
   template <class T>
-  T get(const Variable<T>& property) {
-    return linked_->handle(robot_, property).get();
+  T get(const Variable<T>& property, std::string_view of = subset::kSelf, int object = 0) {
+    return linked_->handle(robot_, property, of).get(object);
   }
   /// All numbers of the state, and what is kept of it.
   std::vector<double> memory() {
@@ -132,6 +140,12 @@ class TestRig {
       world_.set(bodies.back(), kBodyInertia, inertias_[i]);
       if (i > 0) joints.push_back(world_.add(robot_, "joint" + std::to_string(i - 1)));
     }
+    std::vector<ObjectId> sensors;
+    for (const MountPlace& place : force_places_) {
+      sensors.push_back(world_.add(robot_, "force" + std::to_string(sensors.size())));
+      world_.set(sensors.back(), kForcePlace, place);
+    }
+    world_.defineSubset(robot_, subset::kForceSensors, std::move(sensors));
     for (const JointConstant& c : constants_)
       world_.set(joints[static_cast<std::size_t>(c.joint)], c.property, c.value);
     world_.defineSubset(robot_, subset::kBodies, std::move(bodies));
@@ -141,6 +155,7 @@ class TestRig {
   TreeTable tree_;
   std::vector<RigidInertia<double>> inertias_;
   std::vector<JointConstant> constants_;
+  std::vector<MountPlace> force_places_;
   std::vector<std::string> modules_{"tree_motion", "multibody_dynamics"};
   ModuleRegistry registry_ = allModules();
   World world_;

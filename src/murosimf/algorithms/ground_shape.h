@@ -18,6 +18,7 @@ struct GroundShape {
   Kind kind = Kind::kBox;
   int row = 0;
   int sole = -1;                    ///< number of the sole that this box's lower face is, or -1
+  int touch_sensor = -1;            ///< number of the touch sensor that feels it, or -1
   KernelPose X_RS;                  ///< shape on the body
   double half_size[3] = {0, 0, 0};  ///< as in Shape [m]
   double reach = 0;                 ///< radius of a sphere about the shape's centre that holds it [m]

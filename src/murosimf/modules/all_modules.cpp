@@ -24,9 +24,11 @@
 #include "murosimf/modules/motion/kinematic_walking.h"
 #include "murosimf/modules/sensing/dynamic_inertial_sensor.h"
 #include "murosimf/modules/sensing/foot_pressure.h"
+#include "murosimf/modules/sensing/force_sensor.h"
 #include "murosimf/modules/sensing/inertial_sensor.h"
 #include "murosimf/modules/sensing/joint_torque_sensor.h"
 #include "murosimf/modules/sensing/prescribed_inertial_sensor.h"
+#include "murosimf/modules/sensing/touch_sensor.h"
 
 namespace murosimf {
 
@@ -73,6 +75,8 @@ ModuleRegistry allModules() {
   all.add<PrescribedInertialSensor>("prescribed_inertial_sensor", "sensing", "the one of simplified dynamics");
   all.add<FootPressure>("foot_pressure", "pressure", "forces under the four corners of each sole");
   all.add<JointTorqueSensor>("joint_torque_sensor", "torque", "what servo, friction and stops gave each joint");
+  all.add<TouchSensor>("touch_sensor", "touch", "whether the ground presses on the shapes of a link");
+  all.add<ForceSensor>("force_sensor", "force", "forces that pass through joints, in three axes");
   return all;
 }
 

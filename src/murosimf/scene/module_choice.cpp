@@ -17,11 +17,19 @@ constexpr Slot kKinematicSlots[] = {{"actuation", "ideal_servo"},
                                     {"motion", "kinematic_walking"},
                                     {"kinematics", "body_poses"},
                                     {"sensing", "inertial_sensor"}};
-constexpr Slot kMultibodySlots[] = {
-    {"electronics", "servo_controller"},  {"velocities", "tree_motion"},     {"actuation", "position_servo"},
-    {"contact", "hunt_crossley_contact"}, {"motion", "multibody_dynamics"},  {"sensing", "dynamic_inertial_sensor"},
-    {"pressure", "foot_pressure"},        {"torque", "joint_torque_sensor"}, {"limits", "joint_limits"},
-    {"integration", "implicit_euler"},    {"kinematics", "body_poses"}};
+constexpr Slot kMultibodySlots[] = {{"electronics", "servo_controller"},
+                                    {"velocities", "tree_motion"},
+                                    {"actuation", "position_servo"},
+                                    {"contact", "hunt_crossley_contact"},
+                                    {"motion", "multibody_dynamics"},
+                                    {"sensing", "dynamic_inertial_sensor"},
+                                    {"pressure", "foot_pressure"},
+                                    {"torque", "joint_torque_sensor"},
+                                    {"limits", "joint_limits"},
+                                    {"integration", "implicit_euler"},
+                                    {"kinematics", "body_poses"},
+                                    {"touch", "touch_sensor"},
+                                    {"force", "force_sensor"}};
 constexpr Slot kSimplifiedSlots[] = {{"velocities", "prescribed_tree_motion"},
                                      {"actuation", "tracking_servo"},
                                      {"contact", "smooth_contact"},
@@ -31,7 +39,9 @@ constexpr Slot kSimplifiedSlots[] = {{"velocities", "prescribed_tree_motion"},
                                      {"pressure", "foot_pressure"},
                                      {"torque", "torque_estimate"},
                                      {"integration", "momentum_midpoint"},
-                                     {"kinematics", "body_poses"}};
+                                     {"kinematics", "body_poses"},
+                                     {"touch", "touch_sensor"},
+                                     {"force", "force_sensor"}};
 /// A level of detail: a motion module, and the modules that go with it.
 struct Level {
   std::string_view name, motion;

@@ -116,6 +116,8 @@ constexpr ScenarioKey kKeys[] = {
     plainKey(kRobot, "sensing", kModule, "", "module; default: the level's"),
     plainKey(kRobot, "pressure", kModule, "", "module; default: the level's"),
     plainKey(kRobot, "torque", kModule, "", "module; default: the level's"),
+    plainKey(kRobot, "touch", kModule, "", "module; default: the level's"),
+    plainKey(kRobot, "force", kModule, "", "module; default: the level's"),
     plainKey(kRobot, "limits", kModule, "", "module; default: the level's"),
     plainKey(kRobot, "accelerations", kModule, "", "module; default: the level's"),
     plainKey(kRobot, "focus", kTable, "", "another motion near the ball and other robots, see below"),

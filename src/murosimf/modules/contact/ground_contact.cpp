@@ -65,6 +65,7 @@ void GroundContact::declare(Declaration& d) const {
   d.accumulates(kBodyForce, subset::kBodies);
   d.accumulates(kContactTouch, subset::kBodies);
   d.accumulates(kSoleResponse, subset::kSoles);
+  d.accumulates(kTouchResponse, subset::kTouchSensors);
   d.adds(kContactInertia, subset::kBodies);
 }
 
@@ -79,6 +80,7 @@ void GroundContact::link(Links& links) {
     shape.kind = kindOf(s.shape.kind);
     shape.row = s.row;
     shape.sole = soleOf(s, soles);
+    shape.touch_sensor = s.touch_sensor;
     shape.X_RS = kernelPose(s.X_BS);
     const double half_size[] = {s.shape.half_size.x, s.shape.half_size.y, s.shape.half_size.z};
     std::copy(half_size, half_size + 3, shape.half_size);
@@ -95,7 +97,8 @@ void GroundContact::link(Links& links) {
                 links.column(kBodyForce, subset::kBodies),
                 links.column(kContactInertia, subset::kBodies),
                 links.column(kContactTouch, subset::kBodies),
-                links.column(kSoleResponse, subset::kSoles)};
+                links.column(kSoleResponse, subset::kSoles),
+                links.column(kTouchResponse, subset::kTouchSensors)};
   kernel_ = kernelOfWidth<GroundContactArguments>(links.width());
 }
 

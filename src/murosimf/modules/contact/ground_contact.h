@@ -11,7 +11,7 @@
 ///            hunt_crossley_contact   `hunt_crossley` and Coulomb friction; the default of multibody dynamics
 /// Phase      kEvaluate, before the dynamics.
 /// Adds to    body_force; in steps that look ahead contact_touch, with contact_inertia where it is 1; sole_response of
-///            the soles whose rectangle is the lower face of a box of their body.
+///            the soles whose rectangle is the lower face of a box of their body; touch_response of touch sensors.
 /// Errors     a surface that has no pair with the ground; shapes on no row.
 /// Cost       30 operations a shape in the air, 70 a point that touches.
 /// Exchange   with one another.

@@ -4,6 +4,7 @@
 
 #include "murosimf/algorithms/corner_forces.h"
 #include "murosimf/algorithms/ground_contact.h"
+#include "murosimf/algorithms/touch_response.h"
 #include "murosimf/linking/kernel.h"
 
 namespace murosimf {
@@ -11,7 +12,7 @@ namespace murosimf {
 struct GroundContactArguments {
   const GroundShape* shapes = nullptr;
   int count = 0;
-  ColumnRef twist, up, height, force, inertia, touch, sole_response;
+  ColumnRef twist, up, height, force, inertia, touch, sole_response, touch_response;
 };
 
 void addBaselineKernels(KernelSet<GroundContactArguments>& kernels);
@@ -28,6 +29,12 @@ MUROSIMF_INLINE void addInertia(ArticulatedInertia<S>& body, S& touch, const Gro
     body = sum.inertia;
   }
   touch = max(touch, sum.touched);
+}
+
+/// The part of a shape's reaction along up.
+template <class S>
+inline TouchResponse<S> touchResponse(const GroundReaction<S>& sum, const Vec3<S>& up) {
+  return {dot(sum.force.f, up), {sum.inertia.H * up, sum.inertia.M * up}};
 }
 
 template <class S>
@@ -50,6 +57,8 @@ void groundContact(const GroundContactArguments& a, const BlockMemory& block, co
     });
     if (!any(sum.touched > S(0))) continue;
     force[shape.row] += sum.force;
+    if (shape.touch_sensor >= 0) [[unlikely]]
+      columnAt<TouchResponse<S>, S>(block, a.touch_response)[shape.touch_sensor] += touchResponse(sum, body.up);
     if (time.implicit == 0) continue;
     addInertia(columnAt<ArticulatedInertia<S>, S>(block, a.inertia)[shape.row],
                columnAt<S, S>(block, a.touch)[shape.row], sum);

@@ -42,6 +42,7 @@ const OutsideAccess& PairPhase::robotAccess() {
     d.needs(kShapes);
     d.reads(kBodyPose, subset::kBodies);
     d.reads(kBodyPoseLast, subset::kBodies);
+    d.adds(kPushForce, subset::kTouchSensors);
   });
   return access;
 }
@@ -67,6 +68,7 @@ PairPhase::PairPhase(const World& world, LinkedWorld& linked, std::vector<Object
     robot.mass = *world.find(id, kMass);
     robot.shapes = obstaclesOf(world, id);
     robot.reach = reachOf(world, robot);
+    robot.push = linked.handle(id, kPushForce, subset::kTouchSensors);
   }
   for (const ObjectId id : fixed) {
     for (Obstacle& obstacle : obstaclesOf(world, id)) {
@@ -85,7 +87,7 @@ void PairPhase::reserve() {
   frame_.bodies.reserve(moving_.size());
   frame_.partners.reserve(partners);
   frame_.pairs.reserve(pairs);
-  partner_objects_.reserve(partners);
+  partners_.reserve(partners);
   touches_.reserve(partners);
   solver_.reserve(static_cast<int>(moving_.size()), static_cast<int>(pairs));
 }
@@ -121,7 +123,7 @@ std::vector<PairPhase::Obstacle> PairPhase::obstaclesOf(const World& world, Obje
     const std::uint16_t own_number = number++;
     if (!s.collides) continue;
     obstacles.push_back({object, s.row, s.X_BS, s.shape, boundingRadius(s.shape), hashName(world.path(object)),
-                         own_number, surfacesWith(world, s.surface)});
+                         own_number, s.touch_sensor, surfacesWith(world, s.surface)});
   }
   return obstacles;
 }
@@ -130,7 +132,7 @@ void PairPhase::advance(long frame, double dt) {
   frame_.bodies.clear();
   frame_.partners.clear();
   frame_.pairs.clear();
-  partner_objects_.clear();
+  partners_.clear();
   for (std::size_t i = 0; i < moving_.size(); ++i) {
     const Moving& m = moving_[i];
     FreeBody& body = frame_.bodies.emplace_back();
@@ -142,7 +144,7 @@ void PairPhase::advance(long frame, double dt) {
     const double reach = m.radius + norm(body.velocity) * dt + kMargin;
     addGround(i);
     addFixed(i, reach);
-    for (const Robot& robot : robots_) addRobot(i, robot, reach, frame);
+    for (std::size_t r = 0; r < robots_.size(); ++r) addRobot(i, static_cast<int>(r), reach, frame);
     for (std::size_t k = 0; k < i; ++k) addBodies(i, k);
   }
   solver_.advance(frame_, dt);
@@ -155,7 +157,21 @@ void PairPhase::advance(long frame, double dt) {
   for (const SpherePair& pair : frame_.pairs) {
     if (!pair.touched || pair.partner < 0) continue;
     touches_.push_back({moving_[static_cast<std::size_t>(pair.body)].object,
-                        partner_objects_[static_cast<std::size_t>(pair.partner)]});
+                        partners_[static_cast<std::size_t>(pair.partner)].object});
+  }
+  pressSensors(dt);
+}
+
+void PairPhase::pressSensors(double dt) {
+  for (Robot& robot : robots_) {
+    for (int i = 0; i < robot.push.size(); ++i) robot.push.set(0, i);
+  }
+  for (const SpherePair& pair : frame_.pairs) {
+    if (!pair.touched || pair.partner < 0) continue;
+    const Partner& partner = partners_[static_cast<std::size_t>(pair.partner)];
+    if (partner.touch_sensor < 0) continue;
+    Handle<double>& push = robots_[static_cast<std::size_t>(partner.robot)].push;
+    push.set(push.get(partner.touch_sensor) + norm(pair.impulse) / dt, partner.touch_sensor);
   }
 }
 
@@ -180,7 +196,7 @@ void PairPhase::addGround(std::size_t body) {
   pair.plane = true;
   pair.surface = ground_[body];
   frame_.partners.emplace_back();
-  partner_objects_.push_back({});
+  partners_.emplace_back();
 }
 
 void PairPhase::addFixed(std::size_t body, double reach) {
@@ -190,11 +206,12 @@ void PairPhase::addFixed(std::size_t body, double reach) {
     if (squaredNorm(fixed_poses_[i] * fixed_[i].X_PS.translation - centre) > far * far) continue;
     ContactPartner& partner = frame_.partners.emplace_back();
     partner.X_start = partner.X_end = fixed_poses_[i];
-    addPair(body, fixed_[i], static_cast<int>(frame_.partners.size()) - 1);
+    addPair(body, fixed_[i], -1);
   }
 }
 
-void PairPhase::addRobot(std::size_t body, const Robot& robot, double reach, long frame) {
+void PairPhase::addRobot(std::size_t body, int number, double reach, long frame) {
+  const Robot& robot = robots_[static_cast<std::size_t>(number)];
   const Vector3 centre = frame_.bodies[body].X_WB.translation;
   const double begin = robot.path.contactShareAt(frame), end = robot.path.contactShareAfter(frame);
   const double far = reach + robot.reach;
@@ -207,20 +224,21 @@ void PairPhase::addRobot(std::size_t body, const Robot& robot, double reach, lon
     partner.X_start = robot.path.pose(obstacle.row, begin);
     partner.X_end = robot.path.pose(obstacle.row, end);
     partner.pusher_mass = robot.mass;
-    addPair(body, obstacle, static_cast<int>(frame_.partners.size()) - 1);
+    addPair(body, obstacle, number);
   }
 }
 
-void PairPhase::addPair(std::size_t body, const Obstacle& obstacle, int partner) {
+/// With the partner that was added last.
+void PairPhase::addPair(std::size_t body, const Obstacle& obstacle, int robot) {
   SpherePair& pair = frame_.pairs.emplace_back();
   pair.key = {moving_[body].name, obstacle.name, 0, obstacle.number, 0};
   pair.body = static_cast<int>(body);
   pair.radius = moving_[body].radius;
-  pair.partner = partner;
+  pair.partner = static_cast<int>(frame_.partners.size()) - 1;
   pair.shape = obstacle.shape;
   pair.X_PS = obstacle.X_PS;
   pair.surface = obstacle.surface[body];
-  partner_objects_.push_back(obstacle.object);
+  partners_.push_back({obstacle.object, robot, robot < 0 ? -1 : obstacle.touch_sensor});
 }
 
 void PairPhase::placeBody(ObjectId body, const Pose& X_WB, const Vector3& velocity) {

@@ -9,7 +9,8 @@
 /// Free bodies   need mass, inertia_factor, ball_radius and one shape (its surface name counts);
 ///               it adds base_pose, body_velocity and body_rate, and moves them every frame.
 /// Robots        it reads body_pose and body_pose_last; shapes with `collides` touch. Their motion is prescribed: they
-///               push with a capped force and do not recoil.
+///               push with a capped force and do not recoil. It adds push_force of their touch sensors: the force of
+///               free bodies on the shapes that the sensor feels, mean over the frame.
 /// Static        objects with fixed_pose and shapes; the ground is the half-space below z = 0, surface "turf".
 /// State         contacts kept from frame to frame (PairSolver::kept).
 
@@ -62,6 +63,7 @@ class PairPhase {
     double reach;  // bounding radius [m]
     std::uint64_t name;
     std::uint16_t number;
+    int touch_sensor;                  // of the robot; -1: none feels it
     std::vector<SurfacePair> surface;  // per free body
   };
   struct Robot {
@@ -69,6 +71,11 @@ class PairPhase {
     BodyPath path;
     double mass = 0, reach = 0;  // [kg]; from its base [m]
     std::vector<Obstacle> shapes;
+    Handle<double> push;  // of its touch sensors
+  };
+  struct Partner {  // of the frame
+    ObjectId object;
+    int robot = -1, touch_sensor = -1;
   };
 
   std::vector<Obstacle> obstaclesOf(const World& world, ObjectId object) const;
@@ -78,8 +85,9 @@ class PairPhase {
   void addGround(std::size_t body);
   void addBodies(std::size_t body, std::size_t other);
   void addFixed(std::size_t body, double reach);
-  void addRobot(std::size_t body, const Robot& robot, double reach, long frame);
-  void addPair(std::size_t body, const Obstacle& obstacle, int partner);
+  void addRobot(std::size_t body, int number, double reach, long frame);
+  void addPair(std::size_t body, const Obstacle& obstacle, int robot);
+  void pressSensors(double dt);
 
   std::vector<Moving> moving_;
   std::vector<Robot> robots_;
@@ -89,7 +97,7 @@ class PairPhase {
   std::vector<SurfacePair> between_;  // of free bodies: (1, 0), (2, 0), (2, 1), (3, 0) ...
   PairSolver solver_;
   FrameContacts frame_;
-  std::vector<ObjectId> partner_objects_;
+  std::vector<Partner> partners_;
   std::vector<Touch> touches_;
 };
 
