@@ -60,6 +60,9 @@ struct DeclaredProperty {
 /// Filled by Module::declare(). Pure data: the same words give the table of modules, the schedule and link errors.
 class Declaration {
  public:
+  /// @param period  time between two steps of the module [s]; 0 where it is only listed
+  explicit Declaration(double period = 0) : period_(period) {}
+
   /// A constant that every object of the subset must have.
   template <class T>
   void needs(const Constant<T>& property, std::string_view of = subset::kSelf) {
@@ -93,6 +96,13 @@ class Declaration {
   void adds(const Variable<T>& property, std::string_view of = subset::kSelf) {
     add(property, Access::kAdds, of);
   }
+  /// Adds room for `length` values of the property an object: what is on its way. Nobody else sees them.
+  template <class T>
+  void addsHistory(const Variable<T>& property, int length, std::string_view of = subset::kSelf) {
+    DeclaredProperty& line = add(property, Access::kAdds, of);
+    line.components *= length;
+    line.initial.assign(static_cast<std::size_t>(line.components), 0.0);
+  }
   /// The variable must live for a step only (Storage::kStep); whoever reads it runs behind all that add to it.
   template <class T>
   void accumulates(const Variable<T>& property, std::string_view of = subset::kSelf) {
@@ -119,6 +129,7 @@ class Declaration {
   }
 
   const std::vector<DeclaredProperty>& properties() const { return properties_; }
+  double period() const { return period_; }
   Phase phase() const { return phase_; }
   /// Name of the variable that it follows; empty: its phase is fixed.
   std::string_view followed() const { return followed_; }
@@ -167,6 +178,7 @@ class Declaration {
     return line;
   }
 
+  double period_;
   std::vector<DeclaredProperty> properties_;
   Phase phase_ = Phase::kAdvance;
   std::string_view followed_;

@@ -59,6 +59,7 @@ std::optional<Linker::Planned> Linker::planModule(const Assignment& assignment, 
     diagnostics.error(assignment.where, fmt::format("{}: module {}: {}", whose, planned.name, problem.what()));
     return std::nullopt;
   }
+  planned.declaration = Declaration(planned.period * options_.frame_length);
   planned.module->declare(planned.declaration);
   return planned;
 }

@@ -25,6 +25,8 @@ class Links {
   bool has(const Variable<T>& property, std::string_view of = subset::kSelf) const {
     return declared(property.name, of).isRead() && batch_.column(property.name, of) != nullptr;
   }
+  /// Time between two steps of the module [s].
+  double period() const { return declaration_.period(); }
   double parameter(std::string_view name) const { return parameters_[name]; }
 
   /// The column of a declared variable, for kernels.

@@ -28,9 +28,19 @@
 #include "murosimf/modules/sensing/inertial_sensor.h"
 #include "murosimf/modules/sensing/joint_torque_sensor.h"
 #include "murosimf/modules/sensing/prescribed_inertial_sensor.h"
+#include "murosimf/modules/sensing/known_sensors.h"
 #include "murosimf/modules/sensing/touch_sensor.h"
 
 namespace murosimf {
+
+namespace {
+
+template <const auto& kWords>
+void addErrors(ModuleRegistry& all, std::string_view summary) {
+  all.add<ErrorsOf<kWords>>(kWords.name, "errors", summary, ErrorsOf<kWords>::parameters());
+}
+
+}  // namespace
 
 ModuleRegistry allModules() {
   ModuleRegistry all;
@@ -77,6 +87,14 @@ ModuleRegistry allModules() {
   all.add<JointTorqueSensor>("joint_torque_sensor", "torque", "what servo, friction and stops gave each joint");
   all.add<TouchSensor>("touch_sensor", "touch", "whether the ground presses on the shapes of a link");
   all.add<ForceSensor>("force_sensor", "force", "forces that pass through joints, in three axes");
+  addErrors<kGyroscopeErrors>(all, "bias, noise, steps, limits, delay and rate of the gyroscope");
+  addErrors<kAccelerometerErrors>(all, "the same of the accelerometer");
+  addErrors<kFootPressureErrors>(all, "the same of the pressure sensors under the soles");
+  addErrors<kJointPositionErrors>(all, "the same of the angles that joints report");
+  addErrors<kJointVelocityErrors>(all, "the same of the velocities that joints report");
+  addErrors<kJointTorqueErrors>(all, "the same of the torques that joints report");
+  addErrors<kForceErrors>(all, "the same of force sensors");
+  addErrors<kTouchErrors>(all, "delay and rate of touch sensors");
   return all;
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "murosimf/modules/actuation/motor_properties.h"
+#include "murosimf/modules/sensing/sensor_errors.h"
 #include "murosimf/robot/urdf_reader.h"
 #include "murosimf/simulation/focus_rules.h"
 #include "murosimf/world/vocabulary.h"
@@ -79,6 +80,7 @@ void WorldBuilder::addRobots() {
     outfit.model = &print->model;
     outfit.id = addRobot(*world_, robot.path(), *print, markColour(robot.team));
     participants_.robots.push_back(outfit.id);
+    world_->set(outfit.id, kNoiseKey, noiseKey(*scene_.simulation.seed, robot.path()));
     for (const NamedValue& property : robot.properties) setProperty(robot, property);
     servos_.apply(*world_, outfit.id, robot.file_found.string());
     sumMass(outfit.id);
