@@ -93,17 +93,24 @@ double massOfFeet(const RobotBlueprint& print) {
 
 TEST(ForceSensor, InTheAnklesOfAStandingRobotBearAllButItsFeet) {
   const RobotBlueprint print = withFeetThatFeel();
-  DynamicWorld world(1e-3);
-  const ObjectId robot = world.add("robot", print, gait(0, {}, 0));
-  DynamicLevel level = multibody();
-  level.modules.emplace_back("force_sensor");
-  world.link(level);
-  world.run(3);
-  Vector3 sum;
-  for (int s = 0; s < 2; ++s) sum += world.get(robot, kSensedForce, subset::kForceSensors, s);
   const double weight = (massOf(print) - massOfFeet(print)) * kG;
   EXPECT_GT(massOfFeet(print), 0.1);
-  EXPECT_NEAR(sum.z, weight, 2e-3 * weight);
+  for (DynamicLevel level : {multibody(), simplified()}) {
+    DynamicWorld world(1e-3);
+    const ObjectId robot = world.add("robot", print, gait(0, {}, 0));
+    level.modules.emplace_back("force_sensor");
+    level.modules.emplace_back("touch_sensor");
+    world.link(level);
+    world.run(3);
+    Vector3 sum;
+    double pressed = 0;
+    for (int s = 0; s < 2; ++s) {
+      sum += world.get(robot, kSensedForce, subset::kForceSensors, s);
+      pressed += world.get(robot, kTouchForce, subset::kTouchSensors, s);
+    }
+    EXPECT_NEAR(sum.z, weight, 2e-3 * weight);
+    EXPECT_NEAR(pressed, massOf(print) * kG, 2e-3 * weight);
+  }
 }
 
 TEST(ForceSensor, OfAFootThatHangsInFreeFallFeelsNothing) {

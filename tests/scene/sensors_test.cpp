@@ -111,6 +111,17 @@ TEST(Sensors, DelaysBeginAnewWhenTheLevelOfDetailIsExchangedAndBiasesStay) {
   EXPECT_GT(std::fabs(truths[199] - truths[140]), 1e-6) << "it was to give way";
 }
 
+TEST(Sensors, ErrorsHoldAtTheLevelsThatHaveTheSensor) {
+  Port port(
+      robot("motion = \"kinematic_walking, multibody_dynamics@0.1\"\n"
+            "modules.foot_pressure_errors = {offset = 3}\n"));
+  EXPECT_EQ(port.after(50).foot_pressure[0][0], 0);
+  const client::SensorFrame sensors = port.after(250);
+  const ObjectId id = port.simulation->world().find("robots.red.1");
+  const double truth = port.simulation->linked().handle(id, kSolePressure, subset::kSoles).get().of[0];
+  EXPECT_NEAR(sensors.foot_pressure[0][0], truth + 3, 1e-12);
+}
+
 TEST(Sensors, ASensorThatTheLevelLacksIsNamedWithItsPlace) {
   const std::vector<std::string> said =
       BuiltWorld(robot("level = \"kinematic\"\nmodules.foot_pressure_errors = {noise = 1}\n")).complaints();

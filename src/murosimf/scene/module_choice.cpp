@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <span>
 
+#include "murosimf/scene/error_choice.h"
+
 namespace murosimf {
 
 namespace {
@@ -266,6 +268,7 @@ std::vector<Assignment> modulesOf(const RobotSettings& robot, const MotionPlan& 
     for (Assignment& assignment : level.assignments()) all.push_back(std::move(assignment));
   }
   refuseUnknownSlots(robot, plan, diagnostics);
+  dropErrorsWithoutSensor(all, registry);
   return all;
 }
 
