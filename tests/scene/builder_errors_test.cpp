@@ -147,8 +147,8 @@ TEST_F(BrokenRobots, ASurfaceOfWhichNobodyKnowsHowItMeetsTheBall) {
   const std::string text = scenario("surface=\"sole\"", "surface=\"soel\"");
   const Lines said = BuiltWorld(text).complaints();
   ASSERT_EQ(said.size(), 1u);
-  EXPECT_NE(said[0].find("surface \"soel\" of foot_right has no pair with the ball's, expected one of plastic, post, "
-                         "sole, turf, or [surfaces.ball-soel] in the scenario (did you mean \"sole\"?)"),
+  EXPECT_NE(said[0].find("surface \"soel\" of foot_right has no pair with the ball's, expected one of hoof, plastic, "
+                         "post, sole, turf, or [surfaces.ball-soel] in the scenario (did you mean \"sole\"?)"),
             std::string::npos)
       << said[0];
   BuiltWorld mended(text + "[surfaces.ball-soel]\nstiffness = 3e3\nrestitution_factor = 0.5\n");

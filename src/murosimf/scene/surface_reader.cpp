@@ -19,11 +19,15 @@ struct BuiltInPair {
 
 // Ours, for frames of 1 ms and robots of 3.3 kg, whose bodies are of plastic. A sole sinks 1.6 mm into the turf; the
 // ball bounces with sqrt(.35) = .59 from the turf, with sqrt(.5) = .71 from a foot, and slows down by
-// c_rr g / (1 + beta) = .3 m/s^2 while it rolls. Robots touch each other harder, or thin parts would go through.
+// c_rr g / (1 + beta) = .3 m/s^2 while it rolls. Robots touch each other harder, or thin parts would go through. A hoof
+// is a round foot: its turning is resisted by a patch of radius r = 1 cm, s_nu = s_mu r^2 / 2.
 // The ball's dissipation gives hunt_crossley the same restitution at 1 m/s as the factor gives the other laws.
 constexpr BuiltInPair kBuiltIn[] = {
-    {"ball", "plastic", 3e3, .5, .61, 3, .5, .002, 0, 0},    {"ball", "post", 3e3, .6, .43, 2, .3, .002, 0, 0},
-    {"ball", "sole", 3e3, .5, .61, 3, .5, .002, 0, 0},       {"ball", "turf", 3e3, .35, 1.01, 5, .5, .002, 0, .05},
+    {"ball", "hoof", 3e3, .5, .61, 3, .5, .002, 0, 0},       {"ball", "plastic", 3e3, .5, .61, 3, .5, .002, 0, 0},
+    {"ball", "post", 3e3, .6, .43, 2, .3, .002, 0, 0},       {"ball", "sole", 3e3, .5, .61, 3, .5, .002, 0, 0},
+    {"ball", "turf", 3e3, .35, 1.01, 5, .5, .002, 0, .05},   {"hoof", "hoof", 1e5, .2, 5, 3, .4, .002, .0005, 0},
+    {"hoof", "plastic", 1e5, .2, 5, 3, .4, .002, .0005, 0},  {"hoof", "post", 2e4, .3, 5, 3, .4, .002, .0005, 0},
+    {"hoof", "sole", 1e5, .2, 5, 3, .4, .002, .0005, 0},     {"hoof", "turf", 2e4, .3, 20, 10, .8, .01, .0005, 0},
     {"plastic", "plastic", 1e5, .2, 5, 3, .4, .002, .05, 0}, {"plastic", "post", 2e4, .3, 5, 3, .4, .002, .05, 0},
     {"plastic", "sole", 1e5, .2, 5, 3, .4, .002, .05, 0},    {"plastic", "turf", 2e4, .3, 20, 8, .7, .01, .2, 0},
     {"post", "sole", 2e4, .3, 5, 3, .4, .002, .05, 0},       {"sole", "sole", 1e5, .2, 5, 3, .4, .002, .05, 0},
