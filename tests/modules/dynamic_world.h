@@ -80,6 +80,7 @@ class DynamicWorld {
       d.readsIfAdded(kSensedForce, subset::kForceSensors);
     });
     Linker linker(world_, registry_, {step_, lanes});
+    linker.alsoKnows({std::string(kBlockingRadius.name)});
     for (const ObjectId robot : robots_) {
       for (const std::string& name : level.modules) linker.assign({robot, name, parametersOf(level, name), {}});
     }
