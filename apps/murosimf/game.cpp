@@ -3,11 +3,13 @@
 #include "murosimf/modules/all_modules.h"
 #include "murosimf/soccer/field.h"
 #include "player/player.h"
+#include "trotter/trotter.h"
 
 namespace murosimf {
 
 ControlPrograms allPrograms() {
-  return {{"player", [] { return controllers::makePlayer(); }}};
+  return {{"player", [] { return controllers::makePlayer(); }},
+          {"trotter", [] { return controllers::trotter::makeTrotter(); }}};
 }
 
 std::unique_ptr<Simulation> buildGame(const Scene& scene, Diagnostics& diagnostics) {
