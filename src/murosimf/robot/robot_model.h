@@ -17,13 +17,14 @@
 
 namespace murosimf {
 
-enum class Side { kRight, kLeft };
+/// Where a sole belongs, in the order in which soles are numbered.
+enum class Side { kRight, kLeft, kNone };
 
 /// The rectangle with which a foot stands. Frame Sole: origin at the centre of the foot's lower face, x forward, z up.
 struct Sole {
   std::string name{};
   int body = -1;
-  Side side = Side::kRight;
+  Side side = Side::kNone;
   Pose X_BSole{};
   double length = 0, width = 0;  ///< along x and y [m]
   SourceLocation where{};

@@ -18,11 +18,11 @@ Sole readSole(const XmlElement& element, RobotPart& robot) {
   sole.name = readName(element);
   sole.where = element.where();
   sole.X_BSole = element.pose();
-  const std::string side = element.text("side");
-  if (side != "left" && side != "right" && !side.empty()) {
+  const std::string side = element.text("side", "");
+  if (element.has("side") && side != "left" && side != "right") {
     element.errorAt("side", "is " + quoted(side) + ", expected left or right");
   }
-  sole.side = side == "left" ? Side::kLeft : Side::kRight;
+  sole.side = side == "left" ? Side::kLeft : side == "right" ? Side::kRight : Side::kNone;
   const int before = element.diagnostics().errorCount();
   const std::vector<double> size = element.numbers("size", 2);
   sole.length = size[0], sole.width = size[1];

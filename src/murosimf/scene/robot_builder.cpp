@@ -1,5 +1,6 @@
 #include "murosimf/scene/robot_builder.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "murosimf/modules/actuation/motor_properties.h"
@@ -35,16 +36,22 @@ std::vector<PlacedShape> shapesOf(const RobotBlueprint& b, const Colour& team_co
   return shapes;
 }
 
-/// Right first, then left, whatever the order in the file.
-std::vector<SolePlace> solesOf(const RobotBlueprint& b) {
-  std::vector<SolePlace> soles;
-  for (const Side side : {Side::kRight, Side::kLeft}) {
-    for (const Sole& sole : b.model.soles) {
-      if (sole.side != side) continue;
-      soles.push_back({placeOn(b, sole.body, sole.X_BSole), sole.length / 2, sole.width / 2});
-    }
-  }
+/// Right ones first, then left ones, whatever the order in the file; then those that belong to no side.
+std::vector<Sole> solesOf(const RobotBlueprint& b) {
+  std::vector<Sole> soles = b.model.soles;
+  std::stable_sort(soles.begin(), soles.end(), [](const Sole& a, const Sole& c) { return a.side < c.side; });
   return soles;
+}
+
+void addSoles(World& world, ObjectId robot, const RobotBlueprint& b) {
+  std::vector<SolePlace> places;
+  std::vector<ObjectId> objects;
+  for (const Sole& sole : solesOf(b)) {
+    places.push_back({placeOn(b, sole.body, sole.X_BSole), sole.length / 2, sole.width / 2});
+    objects.push_back(world.add(robot, sole.name));
+  }
+  world.set(robot, kSoles, std::move(places));
+  world.defineSubset(robot, subset::kSoles, std::move(objects));
 }
 
 void addJoints(World& world, ObjectId robot, const RobotBlueprint& b) {
@@ -124,7 +131,6 @@ const std::string& rowName(const RobotBlueprint& b, int row) { return b.flat.row
 ObjectId addRobot(World& world, const std::string& path, const RobotBlueprint& b, const Colour& team_colour) {
   const ObjectId robot = world.addPath(path);
   world.set(robot, kTree, b.flat.table, b.model.where);
-  world.set(robot, kSoles, solesOf(b));
   world.set(robot, kShapes, shapesOf(b, team_colour));
   world.set(robot, kBlockingRadius, kDefaultBlockingRadius);
   if (!b.model.imus.empty()) {
@@ -135,13 +141,7 @@ ObjectId addRobot(World& world, const std::string& path, const RobotBlueprint& b
   addBodies(world, robot, b);
   addCameras(world, robot, b);
   addTouchAndForceSensors(world, robot, b);
-  std::vector<ObjectId> soles;
-  for (const Side side : {Side::kRight, Side::kLeft}) {
-    for (const Sole& sole : b.model.soles) {
-      if (sole.side == side) soles.push_back(world.add(robot, sole.name));
-    }
-  }
-  world.defineSubset(robot, subset::kSoles, std::move(soles));
+  addSoles(world, robot, b);
   for (const auto& [key, text] : b.model.properties) {
     const ObjectId object = key.object.empty() ? robot : world.find(path + "." + key.object);
     if (object.valid()) world.setWritten(object, key.property, {text.numbers, text.text}, text.where);

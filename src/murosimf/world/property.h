@@ -58,7 +58,7 @@ inline constexpr std::string_view kSelf = "self";                   ///< the ass
 inline constexpr std::string_view kWorld = "world";                 ///< the root, which holds what all share
 inline constexpr std::string_view kJoints = "joints";               ///< in the order of the control software's frames
 inline constexpr std::string_view kBodies = "bodies";               ///< rows of the tree table, the base first
-inline constexpr std::string_view kSoles = "soles";                 ///< right, left
+inline constexpr std::string_view kSoles = "soles";                 ///< right ones, left ones, those of no side
 inline constexpr std::string_view kTouchSensors = "touch_sensors";  ///< in the order of the robot file
 inline constexpr std::string_view kForceSensors = "force_sensors";  ///< likewise
 }  // namespace subset

@@ -58,7 +58,7 @@ inline constexpr bool kIsNumeric<RigidInertia<double>> = true;
 
 // Constants of robots.
 inline constexpr Constant<TreeTable> kTree{"tree", "", "kinematic tree of bodies and joints"};
-inline constexpr Constant<std::vector<SolePlace>> kSoles{"soles", "", "places of the soles, right and left"};
+inline constexpr Constant<std::vector<SolePlace>> kSoles{"soles", "", "places of the soles, right ones first"};
 inline constexpr Constant<MountPlace> kImuPlace{"imu_place", "", "mount of the inertial measurement unit"};
 inline constexpr Constant<std::vector<PlacedShape>> kShapes{"shapes", "", "shapes of all bodies"};
 inline constexpr Constant<double> kLowerLimit{"lower_limit", "rad", "smallest joint position"};
