@@ -1,5 +1,6 @@
 // A robot file with prismatic joints in a scenario: servos, stops and sensors of a level of detail work on sliders too.
 
+#include "murosimf/control/robot_port.h"
 #include "murosimf/robot/flatten_tree.h"
 #include "murosimf/robot/urdf_reader.h"
 #include "murosimf/scene/robot_builder.h"
@@ -50,7 +51,25 @@ TEST_P(Hopper, StaysWithinTheRangesOfItsSliders) {
   for (const int joint : {0, 1}) EXPECT_NEAR(q(joint), 0.3, 0.01) << joint;
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, Hopper, testing::Values("full"),
+TEST_P(Hopper, ItsPortTellsWhetherItsOneSoleTouches) {
+  client::RobotDescription description;
+  description.joints.resize(2), description.soles = {"sole"};
+  RobotPort port(simulation_->linked(), robot_, description);
+  client::SensorFrame sensors;
+  command(0.1, 0.02);
+  run(1);
+  port.readSensors(1, sensors);
+  ASSERT_EQ(sensors.sole_touches.size(), 1u);
+  EXPECT_EQ(sensors.sole_touches[0], 1);
+  Pose X_WB = base();
+  X_WB.translation.z += 0.5;
+  simulation_->linked().handle(robot_, kBasePose).set(X_WB);
+  run(0.05);
+  port.readSensors(1.05, sensors);
+  EXPECT_EQ(sensors.sole_touches[0], 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, Hopper, testing::Values("full", "fast"),
                          [](const auto& test) { return std::string(test.param); });
 
 TEST(Soles, OfARobotAreNumberedRightLeftAndThenThoseOfNoSide) {

@@ -68,8 +68,8 @@ TEST(Sensors, OfLevelFullTellTorquesAndPressuresWithTheirErrors) {
   double sum = 0;
   for (std::size_t s = 0; s < 2; ++s) {
     for (std::size_t k = 0; k < 4; ++k) {
-      EXPECT_NEAR(reads.foot_pressure[s][k], is.foot_pressure[s][k] + 3, 1e-12);
-      sum += is.foot_pressure[s][k];
+      EXPECT_NEAR(reads.sole_pressures[s][k], is.sole_pressures[s][k] + 3, 1e-12);
+      sum += is.sole_pressures[s][k];
     }
   }
   EXPECT_GT(sum, 5) << "it was to stand";
@@ -115,11 +115,11 @@ TEST(Sensors, ErrorsHoldAtTheLevelsThatHaveTheSensor) {
   Port port(
       robot("motion = \"kinematic_walking, multibody_dynamics@0.1\"\n"
             "modules.foot_pressure_errors = {offset = 3}\n"));
-  EXPECT_EQ(port.after(50).foot_pressure[0][0], 0);
+  EXPECT_EQ(port.after(50).sole_pressures[0][0], 0);
   const client::SensorFrame sensors = port.after(250);
   const ObjectId id = port.simulation->world().find("robots.red.1");
   const double truth = port.simulation->linked().handle(id, kSolePressure, subset::kSoles).get().of[0];
-  EXPECT_NEAR(sensors.foot_pressure[0][0], truth + 3, 1e-12);
+  EXPECT_NEAR(sensors.sole_pressures[0][0], truth + 3, 1e-12);
 }
 
 TEST(Sensors, ASensorThatTheLevelLacksIsNamedWithItsPlace) {

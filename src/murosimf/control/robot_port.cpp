@@ -62,6 +62,8 @@ RobotPort::RobotPort(LinkedWorld& linked, ObjectId robot, client::RobotDescripti
       touch_(sensed(linked, robot, kTouch, kTouchReading, subset::kTouchSensors)),
       force_(sensed(linked, robot, kSensedForce, kSensedForceReading, subset::kForceSensors)),
       joints_(description_.joints.size()),
+      sole_touches_(description_.soles.size()),
+      sole_pressures_(description_.soles.size()),
       touches_(description_.touch_sensors.size()),
       forces_(description_.force_sensors.size()) {}
 
@@ -74,9 +76,9 @@ void RobotPort::readSensors(double t, client::SensorFrame& sensors) {
   sensors.joints = joints_;
   if (gyroscope_.valid()) sensors.angular_velocity = gyroscope_.get();
   if (accelerometer_.valid()) sensors.specific_force = accelerometer_.get();
-  for (std::size_t i = 0; i < 2; ++i) {
-    sensors.foot_touches[i] = touches(static_cast<int>(i));
-    sensors.foot_pressure[i] = pressureOf(static_cast<int>(i));
+  for (std::size_t i = 0; i < sole_touches_.size(); ++i) {
+    sole_touches_[i] = touches(static_cast<int>(i)) ? 1 : 0;
+    sole_pressures_[i] = pressureOf(static_cast<int>(i));
   }
   for (std::size_t i = 0; i < touches_.size(); ++i) {
     const int sensor = static_cast<int>(i);
@@ -86,6 +88,8 @@ void RobotPort::readSensors(double t, client::SensorFrame& sensors) {
     const int sensor = static_cast<int>(i);
     forces_[i] = force_.size() > sensor ? force_.get(sensor) : Vector3{};
   }
+  sensors.sole_touches = sole_touches_;
+  sensors.sole_pressures = sole_pressures_;
   sensors.touches = touches_;
   sensors.forces = forces_;
 }

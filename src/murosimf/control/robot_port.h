@@ -55,6 +55,8 @@ class RobotPort {
   Sensed<double> touch_;   // of touch sensors
   Sensed<Vector3> force_;  // of force sensors
   std::vector<client::JointReading> joints_;
+  std::vector<std::uint8_t> sole_touches_;
+  std::vector<std::array<double, 4>> sole_pressures_;
   std::vector<std::uint8_t> touches_;
   std::vector<Vector3> forces_;
 };

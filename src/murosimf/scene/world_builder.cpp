@@ -216,6 +216,10 @@ client::RobotDescription WorldBuilder::describe(const RobotSettings& robot) cons
     d.joints.push_back({joint.name, joint.limits.lower, joint.limits.upper, joint.limits.largest_velocity,
                         joint.limits.largest_torque});
   }
+  for (const ObjectId sole : world_->members(world_->find(robot.path()), subset::kSoles)) {
+    const std::string path = world_->path(sole);
+    d.soles.push_back(path.substr(path.rfind('.') + 1));
+  }
   for (const CameraMount& camera : model.cameras) {
     client::CameraDescription& c = d.cameras.emplace_back();
     c.name = camera.name;

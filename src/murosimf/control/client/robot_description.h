@@ -53,6 +53,7 @@ struct RobotDescription {
   std::string role;   ///< free text of the scenario's control parameters: "keeper", "defender", "striker"
   std::vector<JointDescription> joints;    ///< in the order of sensor and command frames
   std::vector<CameraDescription> cameras;  ///< in the order of CameraPicture::camera
+  std::vector<std::string> soles;          ///< names: right ones, left ones, those of no side
   std::vector<std::string> touch_sensors;  ///< in the order of SensorFrame::touches
   std::vector<std::string> force_sensors;  ///< in the order of SensorFrame::forces
   FieldDescription field;

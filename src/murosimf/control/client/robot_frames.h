@@ -2,7 +2,6 @@
 
 /// @file The two frames that pass through a robot port: sensors out of the robot, commands into it. SI units.
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -49,14 +48,14 @@ struct TeamMessage {
 };
 
 struct SensorFrame {
-  double time = 0;                       ///< simulated time of the readings [s]
-  std::span<const JointReading> joints;  ///< as RobotDescription::joints
-  Vector3 angular_velocity;              ///< gyroscope, IMU axes [rad/s]
-  Vector3 specific_force;                ///< accelerometer, IMU axes [m/s^2]: +9.81 along the upward axis at rest
-  std::array<bool, 2> foot_touches{};    ///< right, left
-  /// Under the soles' corners, right and left, in the order (-x -y), (+x -y), (-x +y), (+x +y) [N]; 0 where the level
-  /// of detail knows none.
-  std::array<std::array<double, 4>, 2> foot_pressure{};
+  double time = 0;                             ///< simulated time of the readings [s]
+  std::span<const JointReading> joints;        ///< as RobotDescription::joints
+  Vector3 angular_velocity;                    ///< gyroscope, IMU axes [rad/s]
+  Vector3 specific_force;                      ///< accelerometer, IMU axes [m/s^2]: +9.81 along the upward axis at rest
+  std::span<const std::uint8_t> sole_touches;  ///< 1 where a sole is on the ground; as RobotDescription::soles
+  /// Under the soles' corners, in the order (-x -y), (+x -y), (-x +y), (+x +y) [N]; 0 where the level of detail knows
+  /// none.
+  std::span<const std::array<double, 4>> sole_pressures;
   std::span<const std::uint8_t> touches;    ///< as RobotDescription::touch_sensors: 1 where something presses, else 0
   std::span<const Vector3> forces;          ///< as RobotDescription::force_sensors, in their axes [N]
   std::span<const CameraPicture> pictures;  ///< those whose time has come since the last frame
