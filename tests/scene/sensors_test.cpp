@@ -32,6 +32,7 @@ struct Port {
     const ObjectId id = simulation->world().find("robots.red.1");
     client::RobotDescription description;
     description.joints.resize(simulation->world().members(id, subset::kJoints).size());
+    description.soles.resize(simulation->world().members(id, subset::kSoles).size());
     description.touch_sensors = {"toes"};
     description.force_sensors = {"ankle"};
     port = std::make_unique<RobotPort>(simulation->linked(), id, description);
