@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "modules/dynamic_world.h"
+#include "murosimf/modules/actuation/tracking_servo.h"
 #include "murosimf/robot/tree_builder.h"
 
 namespace murosimf::motion {
@@ -90,6 +91,17 @@ TEST(TrackingServo, ComesNearItsCommandWithTheLagOfItsGains) {
   crane.run(0.03);
   const double lag = kDrag / kGain;
   for (int j = 0; j < 2; ++j) EXPECT_NEAR(crane.q(j), 0.05 * (1 - std::exp(-0.03 / lag)), 1e-4);
+}
+
+TEST(TrackingServo, AccelerationThatAJointNamesItselfGoesBeforeThatOfAll) {
+  DynamicWorld world(1e-3);
+  const ObjectId robot = world.add("crane", crane(), {0, 0});
+  world.world().set(world.world().members(robot, subset::kJoints)[0], kLargestAcceleration, 40.0);
+  world.link(kAtOnce.with("tracking_servo.largest_acceleration", 20));
+  for (int j = 0; j < 2; ++j) world.linked().handle(robot, kJointCommand, subset::kJoints).set({1, 0, 0, 1, 0}, j);
+  world.run(0.05);
+  EXPECT_NEAR(world.get(robot, kJointVelocity, subset::kJoints, 0), 40 * 0.05, 1e-9);
+  EXPECT_NEAR(world.get(robot, kJointVelocity, subset::kJoints, 1), 20 * 0.05, 1e-9);
 }
 
 TEST(TrackingServo, AcceleratesAndBrakesAsGentlyAsItIsTold) {

@@ -57,15 +57,15 @@ TEST_P(Hopper, ItsPortTellsWhetherItsOneSoleTouches) {
   RobotPort port(simulation_->linked(), robot_, description);
   client::SensorFrame sensors;
   command(0.1, 0.02);
-  run(1);
-  port.readSensors(1, sensors);
+  run(3);  // it has hopped
+  port.readSensors(3, sensors);
   ASSERT_EQ(sensors.sole_touches.size(), 1u);
   EXPECT_EQ(sensors.sole_touches[0], 1);
   Pose X_WB = base();
   X_WB.translation.z += 0.5;
   simulation_->linked().handle(robot_, kBasePose).set(X_WB);
   run(0.05);
-  port.readSensors(1.05, sensors);
+  port.readSensors(3.05, sensors);
   EXPECT_EQ(sensors.sole_touches[0], 0);
 }
 

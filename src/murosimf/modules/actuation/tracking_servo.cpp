@@ -8,6 +8,8 @@ namespace murosimf {
 namespace {
 constexpr Variable<double> kEagerness{"servo_eagerness", "1/s", "joint velocity per error of position: 1 / lag",
                                       Storage::kKept};
+constexpr Variable<double> kAccelerationHeld{"servo_acceleration", "rad/s^2", "that the joint may have; 0: any",
+                                             Storage::kKept};
 constexpr double kAtOnce = 1e9;  // [1/s]
 }  // namespace
 
@@ -16,9 +18,8 @@ std::vector<ParameterInfo> TrackingServo::parameters() {
           {"largest_acceleration", "rad/s^2", "of the joints; 0: any", 100, 0, 1e6}};
 }
 
-TrackingServo::TrackingServo(const ParameterValues& values) : lag_(values["lag"]) {
-  arguments_.largest_acceleration = values["largest_acceleration"];
-}
+TrackingServo::TrackingServo(const ParameterValues& values)
+    : lag_(values["lag"]), largest_acceleration_(values["largest_acceleration"]) {}
 
 void TrackingServo::declare(Declaration& d) const {
   d.runsIn(Phase::kPrescribe);
@@ -30,7 +31,9 @@ void TrackingServo::declare(Declaration& d) const {
   d.reads(kJointCommand, subset::kJoints);
   d.readsLast(kJointPosition, subset::kJoints);
   d.readsLast(kJointVelocity, subset::kJoints);
+  d.uses(kLargestAcceleration, -1.0, subset::kJoints);
   d.adds(kEagerness, subset::kJoints);
+  d.adds(kAccelerationHeld, subset::kJoints);
   d.adds(kJointRateDemand, subset::kJoints);
 }
 
@@ -45,6 +48,8 @@ void TrackingServo::link(Links& links) {
   a.largest_velocity = links.column(kLargestVelocity, subset::kJoints);
   a.demand = links.column(kJointRateDemand, subset::kJoints);
   a.eagerness = links.column(kEagerness, subset::kJoints);
+  a.largest_acceleration = links.column(kAccelerationHeld, subset::kJoints);
+  own_acceleration_ = links.column(kLargestAcceleration, subset::kJoints);
   stiffness_ = links.column(kServoStiffness, subset::kJoints);
   damping_ = links.column(kServoDamping, subset::kJoints);
   width_ = links.width();
@@ -56,10 +61,12 @@ void TrackingServo::initialise(const BlockMemory& block) const {
     return block.piece[static_cast<int>(column.memory)] + column.offset * width_;
   };
   const double *kp = numbers(stiffness_), *kd = numbers(damping_);
-  double* eagerness = numbers(arguments_.eagerness);
+  const double* own_acceleration = numbers(own_acceleration_);
+  double *eagerness = numbers(arguments_.eagerness), *acceleration = numbers(arguments_.largest_acceleration);
   for (int i = 0; i < arguments_.joints * width_; ++i) {
     const double lag = lag_ >= 0 ? lag_ : kp[i] > 0 ? kd[i] / kp[i] : 0;
     eagerness[i] = lag > 0 ? 1 / lag : kAtOnce;
+    acceleration[i] = own_acceleration[i] >= 0 ? own_acceleration[i] : largest_acceleration_;
   }
 }
 

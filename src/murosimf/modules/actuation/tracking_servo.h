@@ -11,15 +11,20 @@
 /// Phase      kPrescribe: before contacts and forces are found.
 /// Needs      lower_limit, upper_limit, largest_velocity of the joints; servo_kp and servo_kd where it has them.
 /// Adds       joint_rate_demand; moves nothing.
-/// Parameters `lag` [s] of all joints, -1: each servo's own; `largest_acceleration` [rad/s^2], 0: any. Its default, 100,
-///            is what strong servos give the legs of small humanoids. Without it the trunk answers each command with a
-///            jolt within one step, and control software that feeds its gyroscope back shakes itself over.
+/// Parameters `lag` [s] of all joints, -1: each servo's own; `largest_acceleration` [rad/s^2], 0: any; the property
+///            largest_acceleration of a joint goes before it. Its default, 100, is what strong servos give the legs of
+///            small humanoids; others say in their robot file what theirs do. Without it the trunk answers each command
+///            with a jolt within one step, and control software that feeds its gyroscope back shakes itself over.
 /// Cost       about 15 operations a joint.
 
 #include "murosimf/linking/module.h"
 #include "murosimf/modules/actuation/tracking_servo_kernel.h"
+#include "murosimf/world/property.h"
 
 namespace murosimf {
+
+inline constexpr Constant<double> kLargestAcceleration{"largest_acceleration", "rad/s^2",
+                                                       "that the servo gives the joint in simplified dynamics; 0: any"};
 
 class TrackingServo final : public BlockModule {
  public:
@@ -31,9 +36,9 @@ class TrackingServo final : public BlockModule {
   void step(const BlockMemory& block, const StepTime& time) const override { kernel_(arguments_, block, time); }
 
  private:
-  double lag_;
+  double lag_, largest_acceleration_;
   TrackingServoArguments arguments_;
-  ColumnRef stiffness_, damping_;
+  ColumnRef stiffness_, damping_, own_acceleration_;
   int width_ = 1;
   KernelSet<TrackingServoArguments>::Kernel kernel_ = nullptr;
 };

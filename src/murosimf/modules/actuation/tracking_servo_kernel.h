@@ -9,8 +9,8 @@ namespace murosimf {
 
 struct TrackingServoArguments {
   int joints = 0;
-  double largest_acceleration = 0;  ///< [rad/s^2]; 0: any
   ColumnRef command, position, velocity, lower, upper, largest_velocity, eagerness, demand;
+  ColumnRef largest_acceleration;  ///< [rad/s^2]; 0: any
 };
 
 void addBaselineKernels(KernelSet<TrackingServoArguments>& kernels);
@@ -34,12 +34,14 @@ void trackingServo(const TrackingServoArguments& a, const BlockMemory& block, co
   const S *lower = columnAt<S, S>(block, a.lower), *upper = columnAt<S, S>(block, a.upper);
   const S *fastest = columnAt<S, S>(block, a.largest_velocity), *eagerness = columnAt<S, S>(block, a.eagerness);
   S* demand = columnAt<S, S>(block, a.demand);
-  const S per_step(1 / time.dt), change(a.largest_acceleration * time.dt);
+  const S* largest_acceleration = columnAt<S, S>(block, a.largest_acceleration);
+  const S per_step(1 / time.dt), dt(time.dt);
   for (int j = 0; j < a.joints; ++j) {
     const JointGoal<S> goal = jointGoal(command[j], q[j], lower[j], upper[j], fastest[j]);
     const S way = goal.position - q[j];
     const S rate = clamp(way * min(per_step, eagerness[j]), -goal.speed, goal.speed);
-    demand[j] = a.largest_acceleration > 0 ? gentleRate(rate, dq[j], way * per_step, change) : rate;
+    const S change = largest_acceleration[j] * dt;
+    demand[j] = select(change > S(0), gentleRate(rate, dq[j], way * per_step, change), rate);
   }
 }
 
