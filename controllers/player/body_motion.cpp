@@ -67,7 +67,8 @@ JointAngles BodyMotion::step(double dt, const MotionRequest& wish, const BodySen
 }
 
 void BodyMotion::archive(client::StateArchive& archive) {
-  archive(engine_, kick_, fall_, recovery_, commanded_, first_, start_time_, settled_time_, recovery_time_, kicks_started_);
+  archive(engine_, kick_, fall_, recovery_, commanded_, first_, start_time_, settled_time_, recovery_time_,
+          kicks_started_);
 }
 
 }  // namespace murosimf::controllers

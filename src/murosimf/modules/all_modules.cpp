@@ -27,8 +27,8 @@
 #include "murosimf/modules/sensing/force_sensor.h"
 #include "murosimf/modules/sensing/inertial_sensor.h"
 #include "murosimf/modules/sensing/joint_torque_sensor.h"
-#include "murosimf/modules/sensing/prescribed_inertial_sensor.h"
 #include "murosimf/modules/sensing/known_sensors.h"
+#include "murosimf/modules/sensing/prescribed_inertial_sensor.h"
 #include "murosimf/modules/sensing/touch_sensor.h"
 
 namespace murosimf {
