@@ -37,7 +37,7 @@ Level multibodyLevel() {
 
 Level simplifiedLevel() {
   return {"simplified",
-          {"tracking_servo", "prescribed_tree_motion", "hunt_crossley_contact", "simplified_dynamics",
+          {"tracking_servo", "tree_motion", "hunt_crossley_contact", "simplified_dynamics",
            "prescribed_inertial_sensor", "momentum_midpoint"}};
 }
 

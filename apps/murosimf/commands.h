@@ -21,6 +21,14 @@ struct RunArguments {
 
 /// Plays a scenario and writes report, pictures and film.
 int runScenario(const RunArguments& arguments);
+struct LevelsArguments {
+  std::string folder = ".";  ///< robots/ is looked for from here
+  int robots = 24;
+  double seconds = 10, speed = 0.15;  ///< of the walk [s], [m/s]
+};
+/// Walks at every level of detail and prints a table: way, torques, cost of a robot a simulated second.
+int printLevels(const LevelsArguments& arguments);
+
 /// Prints every mistake in scenarios and robot files.
 int checkFiles(const std::vector<std::string>& files);
 /// Prints modules and properties, or the schedule of a scenario.

@@ -1,4 +1,4 @@
-// The command line: murosimf run | check | modules | compare.
+// The command line: murosimf run | check | modules | compare | levels.
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -51,6 +51,12 @@ int run(int argc, char** argv) {
   compare->add_option("a", a, "recording or report.json of the one run")->required();
   compare->add_option("b", b, "the same of the other")->required();
 
+  LevelsArguments levels_arguments;
+  CLI::App* levels = app.add_subcommand("levels", "walk at every level of detail and print the results side by side");
+  levels->add_option("--robots", levels_arguments.robots, "robots that walk at once")->check(CLI::Range(1, 60));
+  levels->add_option("--seconds", levels_arguments.seconds, "length of the walk")->check(CLI::Range(0.1, 1e4));
+  levels->add_option("--speed", levels_arguments.speed, "commanded [m/s]")->check(CLI::Range(0.0, 0.3));
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -58,6 +64,7 @@ int run(int argc, char** argv) {
   }
   if (check->parsed()) return checkFiles(files);
   if (modules->parsed()) return printModules(scenario);
+  if (levels->parsed()) return printLevels(levels_arguments);
   if (compare->parsed()) return printComparison(a, b);
   return runScenario(run_arguments);
 }

@@ -50,7 +50,7 @@ inline DynamicLevel byMassMatrix(DynamicLevel level) {
 /// Modules of simplified dynamics; without `contact` for free flight.
 inline DynamicLevel simplified(const std::string& contact = "smooth_contact") {
   DynamicLevel level{
-      {"tracking_servo", "prescribed_tree_motion", "simplified_dynamics", "body_accelerations", "momentum_midpoint"}};
+      {"tracking_servo", "tree_motion", "simplified_dynamics", "body_accelerations", "momentum_midpoint"}};
   if (!contact.empty()) level.modules.push_back(contact);
   return level;
 }

@@ -8,8 +8,7 @@
 /// Then the momentum of the whole about the base's origin is  h = Ic_0 V_0 + g_0,  V_0 the base's velocity, and no
 /// body's own velocity is needed: a column of Ic is five numbers. Cost: about 60 multiplications and additions a joint.
 
-#include "murosimf/algorithms/joint_frame.h"
-#include "murosimf/algorithms/visit_rows.h"
+#include "murosimf/algorithms/tree_dynamics.h"
 
 namespace murosimf {
 inline namespace MUROSIMF_ISA {
@@ -19,6 +18,10 @@ template <class S = double>
 struct CompositeMotion {
   RigidInertia<S> inertia;   ///< Ic
   SpatialForce<S> momentum;  ///< g
+  MUROSIMF_INLINE CompositeMotion& operator+=(const CompositeMotion& b) {
+    inertia += b.inertia, momentum += b.momentum;
+    return *this;
+  }
 };
 
 /// g += Ic S dq.
@@ -79,37 +82,33 @@ MUROSIMF_INLINE void bringOut(const KernelRow& row, const Joint& joint, Composit
   if (row.translation[2] != 0) shiftAlong<2>(a, S(row.translation[2]));
 }
 
-/// The tree, as a table that all robots of a batch share.
-struct CompositeTree {
-  const VisitRow* rows = nullptr;
-  int joints = 0, base_slot = 0;
-};
-
-/// Of the whole tree, in the axes of its base. turnOf(row) and rateOf(row): of its joint. `inertia` is a column with
-/// one element a body, `slots` work with one element a slot of the plan.
+/// Of the whole tree, in the axes of its base. turnOf(i) and rateOf(i): of the joint of row i. `inertia` is a column
+/// with one element a body, `slots` work with one element a slot of the gathering.
 template <class S, class TurnOf, class RateOf>
-MUROSIMF_INLINE CompositeMotion<S> compositeMotion(const CompositeTree& tree, const RigidInertia<S>* inertia,
+MUROSIMF_INLINE CompositeMotion<S> compositeMotion(const ArticulatedTree& tree, const RigidInertia<S>* inertia,
                                                    CompositeMotion<S>* slots, TurnOf&& turnOf, RateOf&& rateOf) {
   const S o(0);
-  slots[0] = {{o, {o, o, o}, {o, o, o, o, o, o}}, {{o, o, o}, {o, o, o}}};
-  for (int k = 0; k < tree.joints; ++k) {
-    const VisitRow& visit = tree.rows[k];
-    CompositeMotion<S>& parent = slots[visit.parent_slot];
-    forJoint<S>(visit.row, turnOf(visit), [&](const auto& joint) MUROSIMF_INLINE_LAMBDA {
-      CompositeMotion<S> whole = slots[visit.slot];
-      whole.inertia += inertia[visit.body];
-      addJointMomentum<std::remove_cvref_t<decltype(joint)>>(whole, rateOf(visit));
-      bringOut(visit.row, joint, whole);
-      if (visit.first) {
-        parent = whole;
-      } else {
-        parent.inertia += whole.inertia, parent.momentum += whole.momentum;
-      }
+  CompositeMotion<S> whole;  // of the row and of what hangs on it
+  for (int i = tree.bodies - 1;; --i) {
+    const GatherRow& gather = tree.gather[i];
+    if (gather.starts) {
+      whole = {inertia[i], {{o, o, o}, {o, o, o}}};
+    } else {
+      whole.inertia += inertia[i];
+    }
+    if (gather.slot >= 0) whole += slots[gather.slot];
+    if (i == 0) return whole;
+    forJoint<S>(tree.rows[i], turnOf(i), [&](const auto& joint) MUROSIMF_INLINE_LAMBDA {
+      addJointMomentum<std::remove_cvref_t<decltype(joint)>>(whole, rateOf(i));
+      bringOut(tree.rows[i], joint, whole);
     });
+    if (gather.parent_slot < 0) continue;
+    if (gather.first) {
+      slots[gather.parent_slot] = whole;
+    } else {
+      slots[gather.parent_slot] += whole;
+    }
   }
-  CompositeMotion<S> whole = slots[tree.base_slot];
-  whole.inertia += inertia[0];
-  return whole;
 }
 
 /// Sines and cosines of all joints after they have moved by `way` each, from those before: up to pi/4 [rad] in full

@@ -12,7 +12,6 @@
 #include "murosimf/modules/dynamics/body_accelerations.h"
 #include "murosimf/modules/dynamics/composite_body_dynamics.h"
 #include "murosimf/modules/dynamics/multibody_dynamics.h"
-#include "murosimf/modules/dynamics/prescribed_tree_motion.h"
 #include "murosimf/modules/dynamics/simplified_dynamics.h"
 #include "murosimf/modules/dynamics/torque_estimate.h"
 #include "murosimf/modules/dynamics/tree_motion.h"
@@ -66,7 +65,6 @@ ModuleRegistry allModules() {
   all.add<GroundContact>("ground_contact", "contact", "ground: the laws of the scenario's table of surfaces");
   all.add<MultibodyDynamics>("multibody_dynamics", "motion", "every body has its mass, every joint its torque");
   all.add<CompositeBodyDynamics>("composite_body_dynamics", "motion", "the same by the mass matrix of the robot");
-  all.add<PrescribedTreeMotion>("prescribed_tree_motion", "velocities", "the one of simplified dynamics");
   all.add<SimplifiedDynamics>("simplified_dynamics", "motion", "joints move as prescribed, the whole robot is one body",
                               SimplifiedDynamics::parameters());
   all.add<BodyAccelerations>("body_accelerations", "accelerations", "of all bodies, for sensors");

@@ -161,15 +161,6 @@ inline constexpr Variable<double> kSubsteps{"substeps", "1", "steps of the integ
 inline constexpr Variable<double> kIntegrationFault{"integration_fault", "1", "1: it stopped before the frame's end",
                                                     Storage::kKept};
 
-// What simplified dynamics keeps from one step for the next one.
-inline constexpr Variable<SinCos<double>> kTurnAhead{"turn_ahead", "1", "joint_turn at the end of the step",
-                                                     Storage::kKept};
-inline constexpr Variable<double> kPositionAhead{"position_ahead", "rad or m", "joint_position of turn_ahead",
-                                                 Storage::kKept};
-inline constexpr Variable<double> kVelocityAhead{"velocity_ahead", "rad/s or m/s", "joint_velocity then",
-                                                 Storage::kKept};
-inline constexpr Variable<double> kJointsKept{"joints_kept", "1", "1 where nobody has moved joints since the last step",
-                                              Storage::kStep};
 inline constexpr Variable<SpatialMotion<double>> kBaseAcceleration{
     "base_acceleration", "SI", "proper, of the base, whose joints move as prescribed", Storage::kStep};
 inline constexpr Variable<CentroidalStep<double>> kCentroidalStep{

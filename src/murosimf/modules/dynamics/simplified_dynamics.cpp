@@ -12,7 +12,12 @@ namespace {
 
 constexpr Variable<CompositeMotion<double>> kCompositeMotion{"composite_motion", "SI", "the robot as one body",
                                                              Storage::kKept};
-// The few slots of VisitPlan stand in the first places of a column with one place a body.
+// The few slots of GatherPlan stand in the first places of a column with one place a body.
+constexpr Variable<double> kPositionAhead{"position_ahead", "rad or m", "joint_position that composite_motion is of",
+                                          Storage::kKept};
+constexpr Variable<double> kVelocityAhead{"velocity_ahead", "rad/s or m/s", "joint_velocity that it is of",
+                                          Storage::kKept};
+constexpr Variable<SinCos<double>> kTurnAhead{"turn_ahead", "1", "joint_turn at the end of the step", Storage::kStep};
 constexpr Variable<CompositeMotion<double>> kCompositeSlots{"composite_slots", "SI", "what children hand on",
                                                             Storage::kStep};
 
@@ -37,7 +42,6 @@ void SimplifiedDynamics::declare(Declaration& d) const {
   d.reads(kBasePose);
   d.reads(kBaseVelocity);
   d.reads(kJointTurn, subset::kJoints);
-  d.reads(kJointsKept);
   d.reads(kBodyTwist, subset::kBodies);
   d.readsSum(kBodyForce, subset::kBodies);
   d.readsSum(kContactTouch, subset::kBodies);
@@ -54,10 +58,9 @@ void SimplifiedDynamics::declare(Declaration& d) const {
 void SimplifiedDynamics::link(Links& links) {
   const TreeTable tree = links.shared(kTree);
   rows_ = kernelRows(tree);
-  visits_ = planVisits(tree);
+  gather_ = planGathering(tree);
   SimplifiedArguments& a = arguments_;
-  a.rows = rows_.data(), a.bodies = tree.bodyCount();
-  a.tree = {visits_.rows.data(), tree.jointCount(), visits_.base_slot};
+  a.tree = {rows_.data(), gather_.rows.data(), tree.bodyCount()};
   a.initial = links.column(kInitialPosition, subset::kJoints);
   a.inertia = links.column(kBodyInertia, subset::kBodies);
   a.q = links.column(kJointPosition, subset::kJoints);
@@ -72,7 +75,6 @@ void SimplifiedDynamics::link(Links& links) {
   a.contacts = links.has(kContactInertia, subset::kBodies);
   if (a.contacts) a.contact_inertia = links.column(kContactInertia, subset::kBodies);
   a.composite = links.column(kCompositeMotion);
-  a.joints_kept = links.column(kJointsKept);
   a.turn_ahead = links.column(kTurnAhead, subset::kJoints);
   a.position_ahead = links.column(kPositionAhead, subset::kJoints);
   a.velocity_ahead = links.column(kVelocityAhead, subset::kJoints);
@@ -86,7 +88,7 @@ void SimplifiedDynamics::link(Links& links) {
 void SimplifiedDynamics::initialise(const BlockMemory& block) const {
   const ColumnRef ahead = arguments_.position_ahead;
   double* first = block.piece[static_cast<int>(ahead.memory)] + ahead.offset * width_;
-  std::fill_n(first, (arguments_.bodies - 1) * width_, std::numeric_limits<double>::quiet_NaN());
+  std::fill_n(first, (arguments_.tree.bodies - 1) * width_, std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace murosimf

@@ -37,7 +37,7 @@ class SimplifiedDynamics final : public BlockModule {
 
  private:
   std::vector<KernelRow> rows_;
-  VisitPlan visits_;
+  GatherPlan gather_;
   SimplifiedArguments arguments_;
   int width_ = 1;
   KernelSet<SimplifiedArguments>::Kernel kernel_ = nullptr;

@@ -11,14 +11,12 @@
 namespace murosimf {
 
 struct SimplifiedArguments {
-  const KernelRow* rows = nullptr;
-  int bodies = 0;
-  CompositeTree tree;
+  ArticulatedTree tree;
   bool recompute = true;  ///< version 2
   bool contacts = false;  ///< whether something may add inertia at contacts
   ColumnRef initial, inertia, q, dq, demand, base_pose, base_velocity;
   ColumnRef turn, twist, force, contact_touch, contact_inertia;
-  ColumnRef composite, joints_kept, turn_ahead, position_ahead, velocity_ahead, slots, base_acceleration, step;
+  ColumnRef composite, turn_ahead, position_ahead, velocity_ahead, slots, base_acceleration, step;
 };
 
 void addBaselineKernels(KernelSet<SimplifiedArguments>& kernels);
@@ -49,15 +47,14 @@ template <class S>
 [[gnu::noinline]] CompositeMotion<S> firstComposite(const SimplifiedColumns<S>& c, const BlockMemory& block) {
   const S* first = columnAt<S, S>(block, c.a.initial);
   return compositeMotion<S>(
-      c.a.tree, c.inertia, c.slots, [&](const VisitRow& v) { return jointTurn(v.row, first[v.body - 1]); },
-      [](const VisitRow&) { return S(0); });
+      c.a.tree, c.inertia, c.slots, [&](int i) { return jointTurn(c.a.tree.rows[i], first[i - 1]); },
+      [](int) { return S(0); });
 }
 /// The composite of version 2, of the moment.
 template <class S>
 [[gnu::noinline]] CompositeMotion<S> presentComposite(const SimplifiedColumns<S>& c) {
   return compositeMotion<S>(
-      c.a.tree, c.inertia, c.slots, [&](const VisitRow& v) { return c.turn[v.body - 1]; },
-      [&](const VisitRow& v) { return c.dq[v.body - 1]; });
+      c.a.tree, c.inertia, c.slots, [&](int i) { return c.turn[i - 1]; }, [&](int i) { return c.dq[i - 1]; });
 }
 
 template <class S>
@@ -72,8 +69,11 @@ inline CompositeMotion<S> select(decltype(S() < S()) mask, const CompositeMotion
 template <class S>
 MUROSIMF_INLINE void refreshComposite(const SimplifiedColumns<S>& c, const BlockMemory& block,
                                       CompositeMotion<S>& kept) {
-  const S known = c.a.recompute ? *columnAt<S, S>(block, c.a.joints_kept) : S(1);
-  const auto stale = kept.inertia.m * known == S(0);
+  auto stale = kept.inertia.m == S(0);
+  if (c.a.recompute) {
+    const S *q = columnAt<S, S>(block, c.a.position_ahead), *dq = columnAt<S, S>(block, c.a.velocity_ahead);
+    for (int j = 0; j + 1 < c.a.tree.bodies; ++j) stale = stale | (q[j] != c.q[j]) | (dq[j] != c.dq[j]);
+  }
   if (any(stale)) kept = select(stale, c.a.recompute ? presentComposite(c) : firstComposite(c, block), kept);
 }
 
@@ -81,15 +81,15 @@ MUROSIMF_INLINE void refreshComposite(const SimplifiedColumns<S>& c, const Block
 template <class S>
 MUROSIMF_INLINE void advanceComposite(const SimplifiedColumns<S>& c, const BlockMemory& block, S h,
                                       CompositeMotion<S>& kept) {
-  const int joints = c.a.bodies - 1;
+  if (!c.a.recompute) return;
+  const int joints = c.a.tree.bodies - 1;
   auto* ahead = columnAt<SinCos<S>, S>(block, c.a.turn_ahead);
-  turnAhead(c.a.rows, joints, c.turn, ahead, [&](int j) MUROSIMF_INLINE_LAMBDA { return h * c.demand[j]; });
+  turnAhead(c.a.tree.rows, joints, c.turn, ahead, [&](int j) MUROSIMF_INLINE_LAMBDA { return h * c.demand[j]; });
   S *q = columnAt<S, S>(block, c.a.position_ahead), *dq = columnAt<S, S>(block, c.a.velocity_ahead);
   for (int j = 0; j < joints; ++j) q[j] = fma(h, c.demand[j], c.q[j]), dq[j] = c.demand[j];
-  if (!c.a.recompute) return;
   kept = compositeMotion<S>(
-      c.a.tree, c.inertia, c.slots, [&](const VisitRow& v) MUROSIMF_INLINE_LAMBDA { return ahead[v.body - 1]; },
-      [&](const VisitRow& v) MUROSIMF_INLINE_LAMBDA { return c.demand[v.body - 1]; });
+      c.a.tree, c.inertia, c.slots, [&](int i) MUROSIMF_INLINE_LAMBDA { return ahead[i - 1]; },
+      [&](int i) MUROSIMF_INLINE_LAMBDA { return c.demand[i - 1]; });
 }
 
 /// What acts on the robot from outside.
@@ -102,7 +102,8 @@ MUROSIMF_INLINE BaseWrench<S> outerForces(const SimplifiedColumns<S>& c, const B
                            columnAt<SpatialForce<S>, S>(block, c.a.force),
                            columnAt<S, S>(block, c.a.contact_touch),
                            c.a.contacts ? columnAt<ArticulatedInertia<S>, S>(block, c.a.contact_inertia) : none};
-  return foldForces(c.a.rows, c.a.bodies, fold, [&](int i) { return (c.demand[i - 1] - c.dq[i - 1]) * per_second; });
+  return foldForces(c.a.tree.rows, c.a.tree.bodies, fold,
+                    [&](int i) { return (c.demand[i - 1] - c.dq[i - 1]) * per_second; });
 }
 
 /// @param h       momentum about the base's origin at the beginning
