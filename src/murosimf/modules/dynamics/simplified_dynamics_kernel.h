@@ -7,6 +7,7 @@
 #include "murosimf/algorithms/gravity.h"
 #include "murosimf/algorithms/ground_fold.h"
 #include "murosimf/linking/kernel.h"
+#include "murosimf/math/bit_change.h"
 
 namespace murosimf {
 
@@ -72,7 +73,9 @@ MUROSIMF_INLINE void refreshComposite(const SimplifiedColumns<S>& c, const Block
   auto stale = kept.inertia.m == S(0);
   if (c.a.recompute) {
     const S *q = columnAt<S, S>(block, c.a.position_ahead), *dq = columnAt<S, S>(block, c.a.velocity_ahead);
-    for (int j = 0; j + 1 < c.a.tree.bodies; ++j) stale = stale | (q[j] != c.q[j]) | (dq[j] != c.dq[j]);
+    BitChange<S> change;
+    for (int j = 0; j + 1 < c.a.tree.bodies; ++j) change.see(q[j], c.q[j]), change.see(dq[j], c.dq[j]);
+    stale = stale | change.found();
   }
   if (any(stale)) kept = select(stale, c.a.recompute ? presentComposite(c) : firstComposite(c, block), kept);
 }
