@@ -85,7 +85,8 @@ TEST_P(Ks21Falls, APushOfFiveNewtonSecondsFellsRobotsAndTheyGetUpAndWalkOn) {
   EXPECT_EQ(troop.standing(), kCount);
   EXPECT_EQ(troop.fallen(), 0) << "before the push";
   for (std::size_t i = 0; i < kCount; ++i) {
-    const double direction = 2 * kPi * static_cast<double>(i / 2) / (kCount / 2);
+    const std::size_t pair = i / 2;
+    const double direction = 4 * kPi * static_cast<double>(pair) / kCount;
     troop.push(i, Vector3{cos(direction), sin(direction), 0} * kImpulse);
   }
   troop.run(1.2, wish);

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "murosimf/simulation/state_hash.h"
 #include "player/walking_engine.h"
 #include "scene/built_world.h"
@@ -32,7 +34,7 @@ class Walkers {
     if (simulation_->frame() % 10 == 0) {
       const double t = simulation_->time(), amplitude = std::min(1.0, t), share = std::clamp(t - 1, 0.0, 1.0);
       double phase = t / 0.52;
-      phase -= static_cast<long>(phase);
+      phase -= std::floor(phase);
       const auto q = controllers::walkingPose(controllers::WalkParameters{}, phase, amplitude, {0.12 * share, 0, 0});
       for (auto& joints : commands_) {
         for (int j = 0; j < joints.size(); ++j) joints.set({q[static_cast<std::size_t>(j)], 0, 0, 1, 0}, j);

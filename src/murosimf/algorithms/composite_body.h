@@ -133,7 +133,7 @@ MUROSIMF_INLINE void reduceBase(int joints, const CompositeBody<S>& c, BaseEquat
     const S* row = c.matrix + c.rows[j].offset;
     const SpatialForce<S> F = readForce(row), W = F * row[6 + c.rows[j].depth];
     const YieldingJoint<S> left{F, W};
-    base.Ic = {left.I(base.Ic.I), left.H(base.Ic.H), left.M(base.Ic.M)};
+    base.Ic = {left.behindI(base.Ic.I), left.behindH(base.Ic.H), left.behindM(base.Ic.M)};
     const S x = c.tree.joint_acceleration[j];
     base.p = {plusScaled(base.p.n, W.n, x), plusScaled(base.p.f, W.f, x)};
   }

@@ -64,22 +64,22 @@ MUROSIMF_INLINE SpatialForce<S> bodyBias(const RigidInertia<S>& body, const Spat
 template <class S>
 struct YieldingJoint {
   const SpatialForce<S>&U, &W;
-  MUROSIMF_INLINE Symmetric3<S> I(const Symmetric3<S>& m) const { return lessOuter(m, U.n, W.n); }
-  MUROSIMF_INLINE Matrix3<S> H(const Matrix3<S>& m) const { return lessOuter(m, U.n, W.f); }
-  MUROSIMF_INLINE Symmetric3<S> M(const Symmetric3<S>& m) const { return lessOuter(m, U.f, W.f); }
+  MUROSIMF_INLINE Symmetric3<S> behindI(const Symmetric3<S>& m) const { return lessOuter(m, U.n, W.n); }
+  MUROSIMF_INLINE Matrix3<S> behindH(const Matrix3<S>& m) const { return lessOuter(m, U.n, W.f); }
+  MUROSIMF_INLINE Symmetric3<S> behindM(const Symmetric3<S>& m) const { return lessOuter(m, U.f, W.f); }
 };
 /// A joint behind which the whole inertia is felt.
 struct LockedJoint {
   template <class Block>
-  MUROSIMF_INLINE const Block& I(const Block& m) const {
+  MUROSIMF_INLINE const Block& behindI(const Block& m) const {
     return m;
   }
   template <class Block>
-  MUROSIMF_INLINE const Block& H(const Block& m) const {
+  MUROSIMF_INLINE const Block& behindH(const Block& m) const {
     return m;
   }
   template <class Block>
-  MUROSIMF_INLINE const Block& M(const Block& m) const {
+  MUROSIMF_INLINE const Block& behindM(const Block& m) const {
     return m;
   }
 };
@@ -91,14 +91,14 @@ MUROSIMF_INLINE void handOn(const TreeDynamics<S>& c, int i, const Joint& joint,
   const JointBias<Joint, S> bias = jointBias<Joint>(c.velocity[i], c.joint_velocity[i - 1]);
   Vec3<S> n = p.n, f = p.f;
   // What is left, then what c makes of it, then turned: block after block, because registers do not hold more than one.
-  Ic.M = left.M(Ic.M);
+  Ic.M = left.behindM(Ic.M);
   f = plusProduct(f, Ic.M, bias.v);
   Ic.M = joint.turnedOut(Ic.M);
-  Ic.H = left.H(Ic.H);
+  Ic.H = left.behindH(Ic.H);
   n = plusProduct(n, Ic.H, bias.v);
   if constexpr (!Joint::kPrismatic) f = plusTransposedProduct(f, Ic.H, bias.w);
   Ic.H = joint.turnedOut(Ic.H);
-  Ic.I = left.I(Ic.I);
+  Ic.I = left.behindI(Ic.I);
   if constexpr (!Joint::kPrismatic) n = plusProduct(n, Ic.I, bias.w);
   Ic.I = joint.turnedOut(Ic.I);
   p = {joint.turnedOut(n), joint.turnedOut(f)};
