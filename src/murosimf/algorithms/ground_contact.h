@@ -113,14 +113,12 @@ MUROSIMF_INLINE void addTurningFriction(const SurfacePair& pair, const Vec3<S>& 
 template <class S, class Visit>
 MUROSIMF_INLINE void addGroundShape(const GroundShape& shape, const GroundedBody<S>& body, S h, GroundReaction<S>& sum,
                                     Visit&& visit) {
-  const Transform<S> X_BS = poseFrom<S>(shape.X_RS);
-  forGroundPoints(shape, applyTransposed(X_BS.rotation, body.up),
-                  [&](const Vec3<S>& p_S, int number) MUROSIMF_INLINE_LAMBDA {
-                    const PointResponse<S> response = addGroundPoint(shape, body, X_BS * p_S, h, sum);
-                    visit(number, response);
-                    if (shape.kind == GroundShape::Kind::kEllipsoid)
-                      addTurningFriction(shape.pair, body.velocity.w, max(response.force, S(0)), h, sum);
-                  });
+  forGroundPoints(shape, body.up, [&](const Vec3<S>& r, int number) MUROSIMF_INLINE_LAMBDA {
+    const PointResponse<S> response = addGroundPoint(shape, body, r, h, sum);
+    visit(number, response);
+    if (shape.kind == GroundShape::Kind::kEllipsoid)
+      addTurningFriction(shape.pair, body.velocity.w, max(response.force, S(0)), h, sum);
+  });
 }
 
 }  // namespace MUROSIMF_ISA

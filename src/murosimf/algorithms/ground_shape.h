@@ -21,6 +21,7 @@ struct GroundShape {
   int touch_sensor = -1;            ///< number of the touch sensor that feels it, or -1
   KernelPose X_RS;                  ///< shape on the body
   double half_size[3] = {0, 0, 0};  ///< as in Shape [m]
+  double corners[8][3] = {};        ///< of a box, on the body, those of its lower face first: x, then y alternate [m]
   double reach = 0;                 ///< radius of a sphere about the shape's centre that holds it [m]
   double stiffness = 0;             ///< of one point: s_c over the points on which the shape rests [N/m]
   SurfacePair pair;                 ///< with the ground
@@ -31,14 +32,14 @@ struct GroundShape {
 
 inline namespace MUROSIMF_ISA {
 
-/// Calls visit(p_S, number) for every candidate point, in the shape's axes; `up` is the world's z in them.
+// Each calls visit(p, number) for every candidate point: of corners in the body's axes, of the others in the shape's,
+// in which `up` is the world's z there.
+
 template <class S, class Visit>
 MUROSIMF_INLINE void forCorners(const GroundShape& shape, Visit&& visit) {
-  for (int i = 0; i < 8; ++i) {  // the four of the lower face first
-    const double x = (i & 1) != 0 ? shape.half_size[0] : -shape.half_size[0];
-    const double y = (i & 2) != 0 ? shape.half_size[1] : -shape.half_size[1];
-    const double z = (i & 4) != 0 ? shape.half_size[2] : -shape.half_size[2];
-    visit(Vec3<S>{S(x), S(y), S(z)}, i);
+  for (int i = 0; i < 8; ++i) {
+    const double* corner = shape.corners[i];
+    visit(Vec3<S>{S(corner[0]), S(corner[1]), S(corner[2])}, i);
   }
 }
 template <class S, class Visit>
@@ -64,11 +65,15 @@ MUROSIMF_INLINE void forRims(const GroundShape& shape, const Vec3<S>& up, Visit&
     visit(Vec3<S>{fma(S(kSineOfThird), y, back_x), fnma(S(kSineOfThird), x, back_y), z}, 3 * end + 2);
   }
 }
+/// All points of a shape in the body's axes, in which `up` is the world's z.
 template <class S, class Visit>
 MUROSIMF_INLINE void forGroundPoints(const GroundShape& shape, const Vec3<S>& up, Visit&& visit) {
   if (shape.kind == GroundShape::Kind::kBox) return forCorners<S>(shape, visit);
-  if (shape.kind == GroundShape::Kind::kEllipsoid) return forDeepestPoint(shape, up, visit);
-  return forRims(shape, up, visit);
+  const Transform<S> X_BS = poseFrom<S>(shape.X_RS);
+  const Vec3<S> up_S = applyTransposed(X_BS.rotation, up);
+  const auto visitOnBody = [&](const Vec3<S>& p_S, int number) MUROSIMF_INLINE_LAMBDA { visit(X_BS * p_S, number); };
+  if (shape.kind == GroundShape::Kind::kEllipsoid) return forDeepestPoint(shape, up_S, visitOnBody);
+  return forRims(shape, up_S, visitOnBody);
 }
 
 }  // namespace MUROSIMF_ISA

@@ -51,6 +51,16 @@ GroundShape::Kind kindOf(ShapeKind kind) {
                                         : GroundShape::Kind::kEllipsoid;
 }
 
+void placeCorners(const PlacedShape& s, GroundShape& shape) {
+  const Vector3& half = s.shape.half_size;
+  for (int i = 0; i < 8; ++i) {
+    const Vector3 corner_S{(i & 1) != 0 ? half.x : -half.x, (i & 2) != 0 ? half.y : -half.y,
+                           (i & 4) != 0 ? half.z : -half.z};
+    const Vector3 corner = s.X_BS * corner_S;
+    shape.corners[i][0] = corner.x, shape.corners[i][1] = corner.y, shape.corners[i][2] = corner.z;
+  }
+}
+
 }  // namespace
 
 void GroundContact::declare(Declaration& d) const {
@@ -84,6 +94,7 @@ void GroundContact::link(Links& links) {
     shape.X_RS = kernelPose(s.X_BS);
     const double half_size[] = {s.shape.half_size.x, s.shape.half_size.y, s.shape.half_size.z};
     std::copy(half_size, half_size + 3, shape.half_size);
+    placeCorners(s, shape);
     shape.reach = boundingRadius(s.shape);
     shape.pair = pairWithGround(table, s.surface);
     if (laws_) shape.pair.normal_law = laws_->normal, shape.pair.friction_law = laws_->friction;
