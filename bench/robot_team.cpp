@@ -96,13 +96,16 @@ void RobotTeam::link(const Level& level, int lanes) {
                       linked_->handle(robot, kJointVelocity, subset::kJoints), linked_->handle(robot, kGyroscope),
                       linked_->handle(robot, kAccelerometer), linked_->handle(robot, kBasePose)});
     ports_.back().base.set(start_);
+    for (std::size_t j = 0; j < q_.size(); ++j) {
+      ports_.back().command.set({q_[j], 0, 0, 1, 0}, static_cast<int>(j));
+    }
   }
 }
 
 void RobotTeam::command() {
   for (Ports& port : ports_) {
     LaneValues<ServoCommand> commands = port.command.values();
-    for (std::size_t j = 0; j < q_.size(); ++j) commands.set({q_[j], 0, 0, 1, 0}, static_cast<int>(j));
+    for (std::size_t j = 0; j < q_.size(); ++j) commands.set(&ServoCommand::position, q_[j], static_cast<int>(j));
   }
 }
 

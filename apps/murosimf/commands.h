@@ -22,7 +22,6 @@ struct RunArguments {
 /// Plays a scenario and writes report, pictures and film.
 int runScenario(const RunArguments& arguments);
 struct LevelsArguments {
-  std::string folder = ".";  ///< robots/ is looked for from here
   int robots = 24;
   double seconds = 10, speed = 0.15;  ///< of the walk [s], [m/s]
 };

@@ -17,39 +17,33 @@ namespace murosimf {
 
 namespace {
 
-constexpr double kStanding = 1.0;  ///< before the walk [s]
-constexpr double kControlPeriod = 0.01;
-constexpr double kStiffness = 30;  ///< of the commands; servos take their own gains unless told [N m/rad]
+constexpr double kStanding = 1.0;   ///< before the walk [s]
+constexpr long kSamplePeriod = 10;  ///< of torques, in frames
+constexpr double kStiffness = 30;   ///< of the commands; servos take their own gains unless told [N m/rad]
 
 /// Control software that stands, then walks straight on.
 class Walker final : public client::ControlSoftware {
  public:
   explicit Walker(double speed) : speed_(speed) {}
-  void start(const client::RobotDescription&) override {}
+  void start(const client::RobotDescription& robot) override { period_ = robot.control_period; }
   void step(const client::SensorFrame& sensors, client::CommandFrame& commands) override {
-    if (!started_) motion_.startFrom(anglesOf(sensors));
+    if (!started_) motion_.startFrom(controllers::anglesOf(sensors.joints));
     started_ = true;
     controllers::MotionRequest wish;
     if (sensors.time >= kStanding) wish = {controllers::MotionRequest::Kind::kWalk, {speed_, 0, 0}, 0};
     const Vector3 rate = rotationZ(sensors.joints[controllers::kWaistYaw].position) * sensors.angular_velocity;
-    for (const client::JointReading& joint : sensors.joints) feels_ = feels_ || joint.torque != 0;
-    const controllers::JointAngles q = motion_.step(kControlPeriod, wish, {rate, sensors.specific_force}, feels_);
+    for (const client::JointReading& joint : sensors.joints) servos_feel_ = servos_feel_ || joint.torque != 0;
+    const controllers::JointAngles q = motion_.step(period_, wish, {rate, sensors.specific_force}, servos_feel_);
     for (std::size_t j = 0; j < q.size(); ++j) commands.joints[j] = {q[j], 0, 0, kStiffness, 0};
   }
   const client::ControlReport& report() const override { return report_; }
-  void archive(client::StateArchive& archive) override { archive(motion_, started_, feels_); }
+  void archive(client::StateArchive& archive) override { archive(motion_, started_, servos_feel_); }
 
  private:
-  static controllers::JointAngles anglesOf(const client::SensorFrame& sensors) {
-    controllers::JointAngles q{};
-    for (std::size_t j = 0; j < q.size(); ++j) q[j] = sensors.joints[j].position;
-    return q;
-  }
-
-  double speed_;
+  double speed_, period_ = 0;
   controllers::BodyMotion motion_;
   client::ControlReport report_;
-  bool started_ = false, feels_ = false;
+  bool started_ = false, servos_feel_ = false;
 };
 
 /// One row of the table: what the scenario says of the robots.
@@ -85,7 +79,7 @@ struct Walk {
   double forward = 0, sideways = 0, turned = 0;  // [m], [m], [rad]
   double torque_square = 0, largest_torque = 0;  // sum over samples and joints; [N m]
   long torque_samples = 0;
-  double seconds = 0;  // of processor, in the stages of physics
+  double seconds = 0;  // of the wall clock, in the stages of physics
 };
 
 double physicsSeconds(const Simulation& simulation) {
@@ -108,10 +102,10 @@ Walk walk(Simulation& simulation, double duration) {
   const ObjectId robot = simulation.participants().robots.front();
   const auto base = simulation.linked().handle(robot, kBasePose);
   const auto torque = simulation.linked().handle(robot, kMeasuredTorque, subset::kJoints);
-  const auto run = [&](double until, auto&& eachPeriod) {
+  const auto run = [&](double until, auto&& sample) {
     while (simulation.time() < until - 1e-9) {
       simulation.step();
-      if (simulation.frame() % 10 == 0) eachPeriod();
+      if (simulation.frame() % kSamplePeriod == 0) sample();
     }
   };
   Walk result;
@@ -132,32 +126,39 @@ std::string torqueText(const Walk& walk) {
                      walk.largest_torque);
 }
 
+/// Null, and told, when the row's scenario is wrong.
+std::unique_ptr<Simulation> simulationOf(const LevelRow& row, const LevelsArguments& arguments) {
+  Diagnostics diagnostics;
+  const auto scene =
+      readScenarioText(scenarioOf(row, arguments.robots), "levels.toml", {"simulation.threads=1"}, diagnostics);
+  std::unique_ptr<Simulation> simulation;
+  if (scene) {
+    WorldBuilder builder(*scene, diagnostics);
+    simulation = builder.link(allModules(), {{"walker", [&] { return std::make_unique<Walker>(arguments.speed); }}});
+  }
+  if (simulation == nullptr) std::fprintf(stderr, "%s", diagnostics.text().c_str());
+  return simulation;
+}
+
+std::string lineOf(const LevelRow& row, const Walk& walk, const LevelsArguments& arguments) {
+  const double cost = 1e6 * walk.seconds / (arguments.seconds * arguments.robots);
+  return fmt::format("| {} | {:.2f} | {:.2f} | {:.1f} | {} {:.0f} |", row.name, walk.forward, walk.sideways,
+                     walk.turned * 180 / kPi, torqueText(walk), cost);
+}
+
 }  // namespace
 
 int printLevels(const LevelsArguments& arguments) {
-  std::printf(
+  std::puts(
       "| level of detail | forward [m] | sideways [m] | turned [deg] | torque, mean [N m] | largest [N m] | cost [us] "
-      "|\n");
-  std::printf("|---|---|---|---|---|---|---|\n");
+      "|");
+  std::puts("|---|---|---|---|---|---|---|");
   for (const LevelRow& row : kRows) {
-    Diagnostics diagnostics;
-    const auto scene = readScenarioText(scenarioOf(row, arguments.robots), arguments.folder + "/levels.toml",
-                                        {"simulation.threads=1"}, diagnostics);
-    std::unique_ptr<Simulation> simulation;
-    if (scene) {
-      WorldBuilder builder(*scene, diagnostics);
-      simulation = builder.link(allModules(), {{"walker", [&] { return std::make_unique<Walker>(arguments.speed); }}});
-    }
-    if (simulation == nullptr) {
-      std::fprintf(stderr, "%s", diagnostics.text().c_str());
-      return kWrongInput;
-    }
-    const Walk w = walk(*simulation, arguments.seconds);
+    const std::unique_ptr<Simulation> simulation = simulationOf(row, arguments);
+    if (simulation == nullptr) return kWrongInput;
+    const Walk result = walk(*simulation, arguments.seconds);
     simulation->control()->finish();
-    const double cost = 1e6 * w.seconds / (arguments.seconds * arguments.robots);
-    std::printf("%s\n", fmt::format("| {} | {:.2f} | {:.2f} | {:.1f} | {} {:.0f} |", row.name, w.forward, w.sideways,
-                                    w.turned * 180 / kPi, torqueText(w), cost)
-                            .c_str());
+    std::puts(lineOf(row, result, arguments).c_str());
     std::fflush(stdout);
   }
   return 0;

@@ -8,6 +8,12 @@ namespace {
 JointAngles walkReady() { return walkingPose({}, 0, 0, {}); }
 }  // namespace
 
+JointAngles anglesOf(std::span<const client::JointReading> joints) {
+  JointAngles q{};
+  for (std::size_t i = 0; i < q.size(); ++i) q[i] = joints[i].position;
+  return q;
+}
+
 BodyMotion::BodyMotion()
     : kick_({kickFrames(kRight, walkReady()), kickFrames(kLeft, walkReady())}),
       recovery_(walkReady()),

@@ -5,10 +5,13 @@
 /// A kick begins only when the robot has stood still for a moment, and the robot stands still for a moment after it.
 /// A robot that has fallen drops what it does, gets up by itself and stands for a moment, whatever is wished.
 
+#include <span>
+
 #include "fall_detector.h"
 #include "fall_recovery.h"
 #include "key_frame_player.h"
 #include "kick_motion.h"
+#include "murosimf/control/client/robot_frames.h"
 #include "walking_engine.h"
 
 namespace murosimf::controllers {
@@ -26,6 +29,9 @@ struct BodySense {
   Vector3 angular_velocity;  ///< of the pelvis in its own axes [rad/s], used only with `feedback`
   Vector3 specific_force;    ///< of the accelerometer, trunk axes [m/s^2]; zero where there is none
 };
+
+/// Where the joints are.
+JointAngles anglesOf(std::span<const client::JointReading> joints);
 
 class BodyMotion {
  public:

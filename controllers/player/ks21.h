@@ -2,8 +2,9 @@
 
 /// @file What the control software knows about its robot, the KS21: order of the joints, lengths, mounts.
 ///
-/// Side: 0 right, 1 left, as in Posture and SensorFrame. Axes x forward, y left, z up; a positive angle turns by the
-/// right hand about +x (roll), +y (pitch), +z (yaw). No axis is mirrored: outwards is negative roll on the right.
+/// Side: 0 right, 1 left, as in Posture and the first two soles of SensorFrame. Axes x forward, y left, z up; a
+/// positive angle turns by the right hand about +x (roll), +y (pitch), +z (yaw). No axis is mirrored: outwards is
+/// negative roll on the right.
 
 #include <array>
 #include <string_view>

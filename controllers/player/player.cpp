@@ -57,18 +57,8 @@ void Player::step(const client::SensorFrame& sensors, client::CommandFrame& comm
   fillReport(play);
 }
 
-namespace {
-
-JointAngles angles(std::span<const client::JointReading> joints) {
-  JointAngles q{};
-  for (std::size_t i = 0; i < q.size(); ++i) q[i] = joints[i].position;
-  return q;
-}
-
-}  // namespace
-
 void Player::feelMotion(const client::SensorFrame& sensors) {
-  if (!posture_known_) body_.startFrom(angles(sensors.joints));
+  if (!posture_known_) body_.startFrom(anglesOf(sensors.joints));
   Posture now = computePosture(robot_, sensors.joints, posture_.stance);
   // While no sole is known to lie flat on the ground, the joints do not tell how the robot moves.
   const bool on_feet = posture_known_ && !body_.fallen();

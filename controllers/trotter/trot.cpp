@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "leg_inverse_kinematics.h"
 #include "murosimf/math/transform.h"
+#include "rappe_leg.h"
 
 namespace murosimf::controllers::trotter {
 

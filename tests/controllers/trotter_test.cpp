@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "murosimf/math/rotation.h"
-#include "trotter/leg_inverse_kinematics.h"
+#include "trotter/rappe_leg.h"
 
 namespace murosimf::controllers::trotter {
 namespace {

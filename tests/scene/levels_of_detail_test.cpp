@@ -43,6 +43,41 @@ TEST(LevelsOfDetail, AMotionBringsTheModulesThatGoWithIt) {
             stateOf(game("motion = \"multibody_dynamics\"", ""), "robots.red.2"));
 }
 
+/// Names of the modules that step the robot at each level of detail of its plan.
+std::vector<std::vector<std::string>> modulesAtLevels(const std::string& red) {
+  BuiltWorld built(game(red, ""));
+  const auto simulation = built.simulation();
+  const LinkedWorld& linked = simulation->linked();
+  std::vector<std::vector<std::string>> levels;
+  for (const LevelSeat& seat : linked.residentOf(simulation->world().find("robots.red.2")).levels) {
+    std::vector<std::string>& names = levels.emplace_back();
+    for (const LinkedPass& pass : linked.batches()[static_cast<std::size_t>(seat.batch)].passes) {
+      names.push_back(pass.name);
+    }
+  }
+  return levels;
+}
+
+bool has(const std::vector<std::string>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+TEST(LevelsOfDetail, AModuleIsChosenForThoseLevelsThatCanWorkWithIt) {
+  const auto levels = modulesAtLevels(
+      "motion = \"kinematic_walking, multibody_dynamics@5, simplified_dynamics@6\"\nactuation = \"dc_motor\"\n"
+      "contact = \"paper_contact\"\nintegration = \"midpoint\"\ntorque = \"torque_estimate\"\n"
+      "modules = {gear_load = {}, joint_friction = {}}\nproperties = {servo_file = \"robots/servos/mx64_m4.json\"}\n");
+  ASSERT_EQ(levels.size(), 3U);
+  EXPECT_TRUE(has(levels[0], "ideal_servo"));
+  EXPECT_FALSE(has(levels[0], "dc_motor") || has(levels[0], "joint_friction"));
+  for (const char* name :
+       {"dc_motor", "gear_load", "joint_friction", "midpoint", "paper_contact", "joint_torque_sensor"})
+    EXPECT_TRUE(has(levels[1], name)) << name;
+  for (const char* name : {"tracking_servo", "momentum_midpoint", "paper_contact", "torque_estimate"})
+    EXPECT_TRUE(has(levels[2], name)) << name;
+  EXPECT_FALSE(has(levels[2], "dc_motor") || has(levels[2], "midpoint") || has(levels[2], "gear_load"));
+}
+
 TEST(LevelsOfDetail, APlacedRobotWithDynamicsStandsThereAtRest) {
   BuiltWorld built(game("level = \"full\"", ""));
   const auto simulation = built.simulation();

@@ -40,10 +40,20 @@ struct BodyOnTheWay {
   SpatialMotion<S> bias;  ///< b, of the joints so far
 };
 
+/// The same seen from a point from which the old origin lies at r along axis A [m].
+template <int A, class S>
+MUROSIMF_INLINE void shiftAlong(BodyOnTheWay<S>& a, S r) {
+  constexpr int B = (A + 1) % 3, C = (A + 2) % 3;
+  Vec3<S>&v = a.bias.v, &w = a.bias.w;
+  component<A>(a.p) += r;
+  component<B>(v) = fnma(r, component<C>(w), component<B>(v));
+  component<C>(v) = fma(r, component<B>(w), component<C>(v));
+}
+
 /// From the axes of row k's body to those of its parent.
 template <class S, class AccelerationOf>
-MUROSIMF_INLINE void step(const KernelRow* rows, int k, const GroundFold<S>& c, AccelerationOf&& accelerationOf,
-                          BodyOnTheWay<S>& a) {
+MUROSIMF_INLINE void seeFromParent(const KernelRow* rows, int k, const GroundFold<S>& c,
+                                   AccelerationOf&& accelerationOf, BodyOnTheWay<S>& a) {
   const KernelRow& row = rows[k];
   forJoint<S>(row, c.turn[k - 1], [&](const auto& joint) MUROSIMF_INLINE_LAMBDA {
     using Joint = std::remove_cvref_t<decltype(joint)>;
@@ -51,10 +61,7 @@ MUROSIMF_INLINE void step(const KernelRow* rows, int k, const GroundFold<S>& c, 
     add(a.bias, jointBias<Joint>(c.velocity[k], c.joint_velocity[k - 1]));
     joint.add(a.bias, accelerationOf(k));
     if constexpr (Joint::kPrismatic) {
-      component<A>(a.p) += joint.turn.sin;
-      Vec3<S> way{S(0), S(0), S(0)};
-      component<A>(way) = joint.turn.sin;
-      a.bias.v += cross(way, a.bias.w);
+      shiftAlong<A>(a, joint.turn.sin);
     } else {
       a.R = {turnedAbout<A>(a.R.x, joint.turn), turnedAbout<A>(a.R.y, joint.turn), turnedAbout<A>(a.R.z, joint.turn)};
       a.p = turnedAbout<A>(a.p, joint.turn);
@@ -66,11 +73,9 @@ MUROSIMF_INLINE void step(const KernelRow* rows, int k, const GroundFold<S>& c, 
     a.R = R_PF * a.R, a.p = R_PF * a.p;
     a.bias = {R_PF * a.bias.w, R_PF * a.bias.v};
   }
-  const double* t = row.translation;
-  Vec3<S>&v = a.bias.v, &w = a.bias.w;
-  if (t[0] != 0) a.p.x += S(t[0]), v.y = fnma(S(t[0]), w.z, v.y), v.z = fma(S(t[0]), w.y, v.z);
-  if (t[1] != 0) a.p.y += S(t[1]), v.z = fnma(S(t[1]), w.x, v.z), v.x = fma(S(t[1]), w.z, v.x);
-  if (t[2] != 0) a.p.z += S(t[2]), v.x = fnma(S(t[2]), w.y, v.x), v.y = fma(S(t[2]), w.x, v.y);
+  if (row.translation[0] != 0) shiftAlong<0>(a, S(row.translation[0]));
+  if (row.translation[1] != 0) shiftAlong<1>(a, S(row.translation[1]));
+  if (row.translation[2] != 0) shiftAlong<2>(a, S(row.translation[2]));
 }
 
 /// Sums begin with +0 and only grow, so a body that adds nothing in some lanes leaves their bits alone.
@@ -84,7 +89,7 @@ MUROSIMF_INLINE BaseWrench<S> foldForces(const KernelRow* rows, int bodies, cons
     const bool touches = c.inertia != nullptr && any(c.touch[i] > o);
     if (!touches && !anyBits(&c.force[i].n.x, 6)) continue;
     BodyOnTheWay<S> body{{}, {o, o, o}, {{o, o, o}, {o, o, o}}};
-    for (int k = i; k > 0; k = rows[k].parent) step(rows, k, c, accelerationOf, body);
+    for (int k = i; k > 0; k = rows[k].parent) seeFromParent(rows, k, c, accelerationOf, body);
     const Vec3<S> f = body.R * c.force[i].f;
     sum.force.f += f;
     sum.force.n += body.R * c.force[i].n + cross(body.p, f);

@@ -26,17 +26,22 @@ struct InverseDynamics {
   SpatialForce<S>* transmitted = nullptr;    ///< result: from the parent; element 0: needed at the base
 };
 
+/// What the way inward needs of it, and gives.
 template <class S>
-inline void inverseDynamics(const KernelRow* rows, int bodies, const InverseDynamics<S>& c) {
+struct JointForces {
+  const SinCos<S>* turn = nullptr;
+  const S *joint_acceleration = nullptr, *joint_inertia = nullptr;
+  const RigidInertia<S>* inertia = nullptr;
+  const SpatialMotion<S>*velocity = nullptr, *acceleration = nullptr;
+  const SpatialForce<S>* force = nullptr;
+  S* joint_torque = nullptr;
+  SpatialForce<S>* transmitted = nullptr;
+};
+
+/// Inward, where all accelerations are known.
+template <class S>
+inline void findJointForces(const KernelRow* rows, int bodies, const JointForces<S>& c) {
   for (int i = 0; i < bodies; ++i) {
-    if (i > 0) {
-      forJoint<S>(rows[i], c.turn[i - 1], [&](auto joint) MUROSIMF_INLINE_LAMBDA {
-        SpatialMotion<S> a = joint.into(c.acceleration[rows[i].parent]);
-        add(a, jointBias<decltype(joint)>(c.velocity[i], c.joint_velocity[i - 1]));
-        joint.add(a, c.joint_acceleration[i - 1]);
-        c.acceleration[i] = a;
-      });
-    }
     const SpatialForce<S> momentum = c.inertia[i] * c.velocity[i];
     c.transmitted[i] = c.inertia[i] * c.acceleration[i] + cross(c.velocity[i], momentum) - c.force[i];
   }
@@ -46,6 +51,17 @@ inline void inverseDynamics(const KernelRow* rows, int bodies, const InverseDyna
       c.transmitted[rows[i].parent] += joint.outOf(c.transmitted[i]);
     });
   }
+}
+
+template <class S>
+inline void inverseDynamics(const KernelRow* rows, int bodies, const InverseDynamics<S>& c) {
+  for (int i = 1; i < bodies; ++i) {
+    c.acceleration[i] = childAcceleration(rows[i], c.acceleration[rows[i].parent], c.turn[i - 1], c.velocity[i],
+                                          c.joint_velocity[i - 1], c.joint_acceleration[i - 1]);
+  }
+  findJointForces(rows, bodies,
+                  JointForces<S>{c.turn, c.joint_acceleration, c.joint_inertia, c.inertia, c.velocity, c.acceleration,
+                                 c.force, c.joint_torque, c.transmitted});
 }
 
 }  // namespace MUROSIMF_ISA

@@ -32,12 +32,6 @@ void LinkedWorld::runBlock(Phase phase, const Batch& batch, int block, long fram
   }
 }
 
-void LinkedWorld::run(Phase phase, long frame, double* step_memory) const {
-  for (const Batch& batch : batches_) {
-    for (int b = 0; b < batch.blockCount(); ++b) runBlock(phase, batch, b, frame, step_memory);
-  }
-}
-
 void LinkedWorld::runFrame(long frame) {
   if (step_memory_.size() < stepMemorySize()) step_memory_ = AlignedDoubles(stepMemorySize());
   for (const Batch& batch : batches_) {

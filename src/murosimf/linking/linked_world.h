@@ -50,6 +50,9 @@ class LinkedWorld {
   /// How many levels of detail an assembly was linked with, and at which it is.
   int levelCount(ObjectId assembly) const;
   int levelOf(ObjectId assembly) const;
+  /// The assembly itself, for those who look at its level in every frame: it stays where it is.
+  /// @throws std::logic_error for an object that is none
+  const Resident& residentOf(ObjectId assembly) const;
   /// Frames between two steps of the slowest of the modules of a level: between them its state is not that of the
   /// moment.
   int longestPeriod(ObjectId assembly, int level) const;
@@ -60,8 +63,6 @@ class LinkedWorld {
   /// Runs the passes of one phase that are due in this frame, on one block. Step memory lasts until the next call;
   /// debug builds fill it with NaN first.
   void runBlock(Phase phase, const Batch& batch, int block, long frame, double* step_memory) const;
-  /// Same on all blocks, one after the other.
-  void run(Phase phase, long frame, double* step_memory) const;
   /// All three phases on all blocks, on this thread: a whole frame where nothing but modules moves anything.
   void runFrame(long frame);
 
@@ -114,7 +115,6 @@ class LinkedWorld {
   }
   double* element(const Place& place, const ColumnLayout& layout) const;
   const ColumnCell* watch(ObjectId assembly, std::string_view property, std::string_view of, int components);
-  const Resident& residentOf(ObjectId assembly) const;
   Batch& batchOf(const Resident& resident) { return batches_[static_cast<std::size_t>(resident.batch())]; }
   void point(Resident& resident);
   void leave(Resident& resident);

@@ -3,60 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <span>
 
 #include "murosimf/scene/error_choice.h"
+#include "murosimf/scene/level_slots.h"
 
 namespace murosimf {
 
 namespace {
 
-/// One slot of a level of detail and the module that fills it when nobody chooses another.
-struct Slot {
-  std::string_view name, module;
-};
-constexpr Slot kKinematicSlots[] = {{"actuation", "ideal_servo"},
-                                    {"motion", "kinematic_walking"},
-                                    {"kinematics", "body_poses"},
-                                    {"sensing", "inertial_sensor"}};
-constexpr Slot kMultibodySlots[] = {{"electronics", "servo_controller"},
-                                    {"velocities", "tree_motion"},
-                                    {"actuation", "position_servo"},
-                                    {"contact", "hunt_crossley_contact"},
-                                    {"motion", "multibody_dynamics"},
-                                    {"sensing", "dynamic_inertial_sensor"},
-                                    {"pressure", "foot_pressure"},
-                                    {"torque", "joint_torque_sensor"},
-                                    {"limits", "joint_limits"},
-                                    {"integration", "implicit_euler"},
-                                    {"kinematics", "body_poses"},
-                                    {"touch", "touch_sensor"},
-                                    {"force", "force_sensor"}};
-constexpr Slot kSimplifiedSlots[] = {{"velocities", "tree_motion"},
-                                     {"actuation", "tracking_servo"},
-                                     {"contact", "smooth_contact"},
-                                     {"motion", "simplified_dynamics"},
-                                     {"accelerations", "body_accelerations"},
-                                     {"sensing", "prescribed_inertial_sensor"},
-                                     {"pressure", "foot_pressure"},
-                                     {"torque", "none"},
-                                     {"integration", "momentum_midpoint"},
-                                     {"kinematics", "body_poses"},
-                                     {"touch", "touch_sensor"},
-                                     {"force", "force_sensor"}};
-/// A level of detail: a motion module, and the modules that go with it.
-struct Level {
-  std::string_view name, motion;
-  std::span<const Slot> slots;
-  double period;  ///< [s]; 0: every frame
-};
-constexpr Level kLevels[] = {{"kinematic", "kinematic_walking", kKinematicSlots, 0.01},
-                             {"fast", "simplified_dynamics", kSimplifiedSlots, 0},
-                             {"full", "multibody_dynamics", kMultibodySlots, 0},
-                             {"full", "composite_body_dynamics", kMultibodySlots, 0}};
 constexpr std::string_view kExtraModule = "modules.";
 
-std::vector<std::string> slotNames(const Level& level) {
+std::vector<std::string> slotNames(const LevelSlots& level) {
   std::vector<std::string> names;
   for (const Slot& slot : level.slots) names.emplace_back(slot.name);
   return names;
@@ -76,18 +33,8 @@ const ModuleChoice* choiceFor(const RobotSettings& robot, std::string_view slot)
   return found == robot.modules.end() ? nullptr : &*found;
 }
 
-const Level& levelNamed(std::string_view name) {
-  const auto found =
-      std::find_if(std::begin(kLevels), std::end(kLevels), [&](const Level& l) { return l.name == name; });
-  return found == std::end(kLevels) ? kLevels[0] : *found;
-}
-
-/// The level that a motion belongs to: what a motion needs beside it comes with it. A motion of none goes with what the
-/// robot's own level has.
-const Level& levelOfMotion(const RobotSettings& robot, std::string_view motion) {
-  const auto found =
-      std::find_if(std::begin(kLevels), std::end(kLevels), [&](const Level& l) { return l.motion == motion; });
-  return found == std::end(kLevels) ? levelNamed(*robot.level) : *found;
+const LevelSlots& levelOf(const RobotSettings& robot, std::string_view motion) {
+  return levelOfMotion(motion, *robot.level);
 }
 
 Assignment assignmentOf(std::string module, const ModuleChoice* choice, double period, const SourceLocation& where) {
@@ -138,13 +85,14 @@ namespace {
 /// Chooses the modules of one of a robot's levels of detail.
 class LevelChoice {
  public:
-  LevelChoice(const RobotSettings& robot, const ModuleRegistry& registry, int number, std::string motion,
+  LevelChoice(const RobotSettings& robot, const MotionPlan& plan, int number, const ModuleRegistry& registry,
               Diagnostics& diagnostics)
       : robot_(robot),
+        plan_(plan),
         registry_(registry),
         number_(number),
-        motion_(std::move(motion)),
-        level_(levelOfMotion(robot, motion_)),
+        motion_(plan.motions[static_cast<std::size_t>(number)]),
+        level_(levelOf(robot, motion_)),
         diagnostics_(diagnostics) {}
 
   std::vector<Assignment> assignments() {
@@ -152,15 +100,29 @@ class LevelChoice {
     for (const ModuleChoice& choice : robot_.modules) {
       if (!choice.slot.starts_with(kExtraModule)) continue;
       const std::string name = choice.module->empty() ? choice.slot.substr(kExtraModule.size()) : *choice.module;
-      assign(name, &choice);
+      if (!needsAnotherLevel(name)) assign(name, &choice);
     }
     return std::move(assignments_);
   }
 
  private:
-  /// What the scenario says of a slot; of the motion it speaks of the one that the robot starts with.
+  /// What the scenario says of a slot; of the motion it speaks of the one that the robot starts with, and a module that
+  /// belongs to another level of the plan is that one's.
   const ModuleChoice* choiceOf(std::string_view slot) const {
-    return slot == "motion" && number_ > 0 ? nullptr : choiceFor(robot_, slot);
+    const ModuleChoice* choice = slot == "motion" && number_ > 0 ? nullptr : choiceFor(robot_, slot);
+    return choice != nullptr && isOfAnotherLevel(slot, *choice->module) ? nullptr : choice;
+  }
+  bool isOfAnotherLevel(std::string_view slot, std::string_view module) const {
+    return slot != "motion" && !takes(level_, slot, module) &&
+           anyLevel([&](const LevelSlots& level) { return takes(level, slot, module); });
+  }
+  bool needsAnotherLevel(std::string_view further) const {
+    return !isFurther(level_, further) && anyLevel([&](const LevelSlots& level) { return isFurther(level, further); });
+  }
+  template <class Predicate>
+  bool anyLevel(const Predicate& holds) const {
+    return std::any_of(plan_.motions.begin(), plan_.motions.end(),
+                       [&](const std::string& motion) { return holds(levelOf(robot_, motion)); });
   }
   std::string moduleFor(const Slot& slot) const {
     if (slot.name == "motion") return motion_;
@@ -177,14 +139,14 @@ class LevelChoice {
     assignments_.back().level = number_;
   }
   /// Where the module of a slot was chosen; nothing where the level brings it.
-  const SourceLocation* placeOf(const Slot& slot) const {
+  const SourceLocation* whereChosen(const Slot& slot) const {
     const bool focused = slot.name == "motion" && robot_.focus && motion_ == *robot_.focus->motion;
     if (focused) return &robot_.focus->motion.where;
     const ModuleChoice* choice = choiceFor(robot_, slot.name);
     return choice == nullptr ? nullptr : &choice->module.where;
   }
   void fill(const Slot& slot) {
-    const SourceLocation* place = placeOf(slot);
+    const SourceLocation* place = whereChosen(slot);
     const std::string module = moduleFor(slot);
     if (module == "none") return;
     const ModuleEntry* entry = registry_.find(module);
@@ -203,10 +165,11 @@ class LevelChoice {
   }
 
   const RobotSettings& robot_;
+  const MotionPlan& plan_;
   const ModuleRegistry& registry_;
   int number_;
-  std::string motion_;
-  const Level& level_;
+  const std::string& motion_;
+  const LevelSlots& level_;
   Diagnostics& diagnostics_;
   std::vector<Assignment> assignments_;
 };
@@ -215,7 +178,7 @@ class LevelChoice {
 void refuseUnknownSlots(const RobotSettings& robot, const MotionPlan& plan, Diagnostics& diagnostics) {
   std::vector<std::string> slots;
   for (const std::string& motion : plan.motions) {
-    for (const std::string& name : slotNames(levelOfMotion(robot, motion))) {
+    for (const std::string& name : slotNames(levelOf(robot, motion))) {
       if (std::find(slots.begin(), slots.end(), name) == slots.end()) slots.push_back(name);
     }
   }
@@ -224,9 +187,9 @@ void refuseUnknownSlots(const RobotSettings& robot, const MotionPlan& plan, Diag
     const bool known =
         choice.slot.starts_with(kExtraModule) || std::find(slots.begin(), slots.end(), choice.slot) != slots.end();
     if (known) continue;
-    diagnostics.error(placeOf(choice, robot), fmt::format("{}: level \"{}\" has no {}; it has {}", robot.path(),
-                                                          levelOfMotion(robot, plan.motions.front()).name, choice.slot,
-                                                          fmt::join(slots, ", ")));
+    diagnostics.error(placeOf(choice, robot),
+                      fmt::format("{}: level \"{}\" has no {}; it has {}", robot.path(),
+                                  levelOf(robot, plan.motions.front()).name, choice.slot, fmt::join(slots, ", ")));
   }
 }
 
@@ -264,7 +227,7 @@ std::vector<Assignment> modulesOf(const RobotSettings& robot, const MotionPlan& 
                                   Diagnostics& diagnostics) {
   std::vector<Assignment> all;
   for (std::size_t i = 0; i < plan.motions.size(); ++i) {
-    LevelChoice level(robot, registry, static_cast<int>(i), plan.motions[i], diagnostics);
+    LevelChoice level(robot, plan, static_cast<int>(i), registry, diagnostics);
     for (Assignment& assignment : level.assignments()) all.push_back(std::move(assignment));
   }
   refuseUnknownSlots(robot, plan, diagnostics);

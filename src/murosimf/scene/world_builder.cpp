@@ -205,6 +205,28 @@ void WorldBuilder::addFocus(Simulation& simulation) const {
   if (!rules.empty()) simulation.observe(std::make_unique<FocusRules>(simulation, rules));
 }
 
+namespace {
+
+client::CameraDescription describeCamera(const CameraMount& camera, const RobotModel& model, double period) {
+  client::CameraDescription c;
+  c.name = camera.name;
+  c.width = camera.width, c.height = camera.height;
+  c.fx = camera.fx, c.fy = camera.fy, c.cx = camera.cx, c.cy = camera.cy, c.skew = camera.skew;
+  std::copy(camera.kc.begin(), camera.kc.end(), c.kc);
+  c.body = model.tree.bodies[static_cast<std::size_t>(camera.body)].name;
+  c.X_BC = camera.X_BC;
+  c.period = period;
+  return c;
+}
+
+void describeGoals(const Scene& scene, bool attacks_plus, client::RobotDescription& d) {
+  d.attacks_positive_x = attacks_plus;
+  d.goal_colour_attacked = *(attacks_plus ? scene.field.goal_at_plus_x : scene.field.goal_at_minus_x);
+  d.goal_colour_defended = *(attacks_plus ? scene.field.goal_at_minus_x : scene.field.goal_at_plus_x);
+}
+
+}  // namespace
+
 client::RobotDescription WorldBuilder::describe(const RobotSettings& robot) const {
   const RobotModel& model = blueprints_.find(robot.file_found.string())->second->model;
   client::RobotDescription d;
@@ -216,28 +238,19 @@ client::RobotDescription WorldBuilder::describe(const RobotSettings& robot) cons
     d.joints.push_back({joint.name, joint.limits.lower, joint.limits.upper, joint.limits.largest_velocity,
                         joint.limits.largest_torque});
   }
-  for (const ObjectId sole : world_->members(world_->find(robot.path()), subset::kSoles)) {
-    const std::string path = world_->path(sole);
-    d.soles.push_back(path.substr(path.rfind('.') + 1));
-  }
   for (const CameraMount& camera : model.cameras) {
-    client::CameraDescription& c = d.cameras.emplace_back();
-    c.name = camera.name;
-    c.width = camera.width, c.height = camera.height;
-    c.fx = camera.fx, c.fy = camera.fy, c.cx = camera.cx, c.cy = camera.cy, c.skew = camera.skew;
-    std::copy(camera.kc.begin(), camera.kc.end(), c.kc);
-    c.body = model.tree.bodies[static_cast<std::size_t>(camera.body)].name;
-    c.X_BC = camera.X_BC;
     Diagnostics told_already;
-    c.period = cameraChoice(robot, camera, *scene_.simulation.control_period, told_already).settings.period;
+    const CameraChoice choice = cameraChoice(robot, camera, *scene_.simulation.control_period, told_already);
+    d.cameras.push_back(describeCamera(camera, model, choice.settings.period));
+  }
+  for (const ObjectId sole : world_->members(world_->find(robot.path()), subset::kSoles)) {
+    const std::string& path = world_->path(sole);
+    d.soles.push_back(path.substr(path.rfind('.') + 1));
   }
   for (const TouchSensorMount& sensor : model.touch_sensors) d.touch_sensors.push_back(sensor.name);
   for (const ForceSensorMount& sensor : model.force_sensors) d.force_sensors.push_back(sensor.name);
   d.field = fieldDescription(scene_);
-  const bool plus = *(robot.team == "red" ? scene_.red : scene_.blue).attacks_positive_x;
-  d.attacks_positive_x = plus;
-  d.goal_colour_attacked = *(plus ? scene_.field.goal_at_plus_x : scene_.field.goal_at_minus_x);
-  d.goal_colour_defended = *(plus ? scene_.field.goal_at_minus_x : scene_.field.goal_at_plus_x);
+  describeGoals(scene_, *(robot.team == "red" ? scene_.red : scene_.blue).attacks_positive_x, d);
   d.control_period = *scene_.simulation.control_period;
   d.seed = *scene_.simulation.seed;
   return d;

@@ -11,15 +11,16 @@ ExchangeStatistics::ExchangeStatistics(Simulation& simulation) {
     Robot& robot = robots_.emplace_back();
     robot.object = id;
     robot.frames.resize(static_cast<std::size_t>(linked.levelCount(id)));
-    watches_.push_back({linked.handle(id, kFlattenedTurn), linked.handle(id, kFlattenedShift), linked.levelOf(id)});
+    watches_.push_back({linked.handle(id, kFlattenedTurn), linked.handle(id, kFlattenedShift), &linked.residentOf(id),
+                        linked.levelOf(id)});
   }
 }
 
-void ExchangeStatistics::afterFrame(Simulation& simulation) {
+void ExchangeStatistics::afterFrame(Simulation&) {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     Robot& robot = robots_[i];
     Watch& watch = watches_[i];
-    const int level = simulation.linked().levelOf(robot.object);
+    const int level = watch.resident->level;
     robot.exchanges += level == watch.level ? 0 : 1;
     watch.level = level;
     ++robot.frames[static_cast<std::size_t>(level)];

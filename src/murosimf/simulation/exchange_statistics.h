@@ -27,7 +27,8 @@ class ExchangeStatistics final : public FrameObserver {
  private:
   struct Watch {
     Handle<double> turn, shift;
-    int level = 0;
+    const Resident* resident = nullptr;
+    int level = 0;  ///< in the frame before
   };
   std::vector<Robot> robots_;
   std::vector<Watch> watches_;  // as robots_

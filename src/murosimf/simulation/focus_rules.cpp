@@ -21,7 +21,8 @@ FocusRules::FocusRules(Simulation& simulation, const std::vector<FocusRule>& rul
   for (const ObjectId robot : simulation.participants().robots) robots_.push_back(linked.handle(robot, kBasePose));
   for (const ObjectId ball : simulation.participants().free_bodies) balls_.push_back(linked.handle(ball, kBasePose));
   for (const FocusRule& rule : rules) {
-    watched_.push_back({rule, LevelExchanger(linked, rule.robot), linked.handle(rule.robot, kBasePose)});
+    watched_.push_back({rule, LevelExchanger(linked, rule.robot), &linked.residentOf(rule.robot),
+                        linked.handle(rule.robot, kBasePose)});
   }
 }
 
@@ -42,7 +43,7 @@ void FocusRules::afterFrame(Simulation& simulation) {
   for (const Watched& watched : watched_) {
     if (!watched.exchanger.ready(simulation.frame())) continue;
     const FocusRule& rule = watched.rule;
-    const bool close = simulation.linked().levelOf(rule.robot) == rule.near_level;
+    const bool close = watched.resident->level == rule.near_level;
     const bool leans = watched.base.get().rotation.z.z < kUpright;
     const bool wanted = isNear(watched, close ? rule.margin : 0) || (close && leans);
     if (wanted == close) continue;

@@ -32,6 +32,7 @@ class FocusRules final : public FrameObserver {
   struct Watched {
     FocusRule rule;
     LevelExchanger exchanger;
+    const Resident* resident = nullptr;
     Handle<Pose> base;
   };
   /// Whether anything is nearer to the robot than the distances of its rule and `more`.

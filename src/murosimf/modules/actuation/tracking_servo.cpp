@@ -8,8 +8,6 @@ namespace murosimf {
 namespace {
 constexpr Variable<double> kEagerness{"servo_eagerness", "1/s", "joint velocity per error of position: 1 / lag",
                                       Storage::kKept};
-constexpr Variable<double> kAccelerationHeld{"servo_acceleration", "rad/s^2", "that the joint may have; 0: any",
-                                             Storage::kKept};
 constexpr double kAtOnce = 1e9;  // [1/s]
 }  // namespace
 
@@ -28,12 +26,11 @@ void TrackingServo::declare(Declaration& d) const {
   d.needs(kLargestVelocity, subset::kJoints);
   d.uses(kServoStiffness, 0.0, subset::kJoints);
   d.uses(kServoDamping, 0.0, subset::kJoints);
+  d.uses(kLargestAcceleration, largest_acceleration_, subset::kJoints);
   d.reads(kJointCommand, subset::kJoints);
   d.readsLast(kJointPosition, subset::kJoints);
   d.readsLast(kJointVelocity, subset::kJoints);
-  d.uses(kLargestAcceleration, -1.0, subset::kJoints);
   d.adds(kEagerness, subset::kJoints);
-  d.adds(kAccelerationHeld, subset::kJoints);
   d.adds(kJointRateDemand, subset::kJoints);
 }
 
@@ -48,8 +45,7 @@ void TrackingServo::link(Links& links) {
   a.largest_velocity = links.column(kLargestVelocity, subset::kJoints);
   a.demand = links.column(kJointRateDemand, subset::kJoints);
   a.eagerness = links.column(kEagerness, subset::kJoints);
-  a.largest_acceleration = links.column(kAccelerationHeld, subset::kJoints);
-  own_acceleration_ = links.column(kLargestAcceleration, subset::kJoints);
+  a.largest_acceleration = links.column(kLargestAcceleration, subset::kJoints);
   stiffness_ = links.column(kServoStiffness, subset::kJoints);
   damping_ = links.column(kServoDamping, subset::kJoints);
   width_ = links.width();
@@ -61,12 +57,10 @@ void TrackingServo::initialise(const BlockMemory& block) const {
     return block.piece[static_cast<int>(column.memory)] + column.offset * width_;
   };
   const double *kp = numbers(stiffness_), *kd = numbers(damping_);
-  const double* own_acceleration = numbers(own_acceleration_);
-  double *eagerness = numbers(arguments_.eagerness), *acceleration = numbers(arguments_.largest_acceleration);
+  double* eagerness = numbers(arguments_.eagerness);
   for (int i = 0; i < arguments_.joints * width_; ++i) {
     const double lag = lag_ >= 0 ? lag_ : kp[i] > 0 ? kd[i] / kp[i] : 0;
     eagerness[i] = lag > 0 ? 1 / lag : kAtOnce;
-    acceleration[i] = own_acceleration[i] >= 0 ? own_acceleration[i] : largest_acceleration_;
   }
 }
 

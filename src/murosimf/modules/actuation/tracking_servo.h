@@ -15,7 +15,7 @@
 ///            largest_acceleration of a joint goes before it. Its default, 100, is what strong servos give the legs of
 ///            small humanoids; others say in their robot file what theirs do. Without it the trunk answers each command
 ///            with a jolt within one step, and control software that feeds its gyroscope back shakes itself over.
-/// Cost       about 15 operations a joint.
+/// Cost       about 25 operations and a root a joint.
 
 #include "murosimf/linking/module.h"
 #include "murosimf/modules/actuation/tracking_servo_kernel.h"
@@ -23,7 +23,7 @@
 
 namespace murosimf {
 
-inline constexpr Constant<double> kLargestAcceleration{"largest_acceleration", "rad/s^2",
+inline constexpr Constant<double> kLargestAcceleration{"largest_acceleration", "rad/s^2 or m/s^2",
                                                        "that the servo gives the joint in simplified dynamics; 0: any"};
 
 class TrackingServo final : public BlockModule {
@@ -38,7 +38,7 @@ class TrackingServo final : public BlockModule {
  private:
   double lag_, largest_acceleration_;
   TrackingServoArguments arguments_;
-  ColumnRef stiffness_, damping_, own_acceleration_;
+  ColumnRef stiffness_, damping_;
   int width_ = 1;
   KernelSet<TrackingServoArguments>::Kernel kernel_ = nullptr;
 };

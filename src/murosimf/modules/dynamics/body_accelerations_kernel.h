@@ -2,7 +2,7 @@
 
 /// @file Kernel of body_accelerations.h.
 
-#include "murosimf/algorithms/articulated_body.h"
+#include "murosimf/algorithms/joint_bias.h"
 #include "murosimf/linking/kernel.h"
 
 namespace murosimf {

@@ -9,8 +9,6 @@ namespace {
 
 constexpr Variable<SpatialForce<double>> kMetForce{"met_force", "SI", "force on the body as it came out",
                                                    Storage::kStep};
-constexpr Variable<SpatialMotion<double>> kRecursionAcceleration{"recursion_acceleration", "SI",
-                                                                 "body_acceleration again", Storage::kStep};
 constexpr Variable<SpatialForce<double>> kTransmittedForce{"transmitted_force", "SI", "from the parent",
                                                            Storage::kStep};
 
@@ -32,7 +30,6 @@ void TorqueEstimate::declare(Declaration& d) const {
   d.reads(kContactTouch, subset::kBodies);
   d.readsIfAdded(kContactInertia, subset::kBodies);
   d.adds(kMetForce, subset::kBodies);
-  d.adds(kRecursionAcceleration, subset::kBodies);
   d.adds(kTransmittedForce, subset::kBodies);
   d.adds(kMeasuredTorque, subset::kJoints);
   d.adds(kServoLoad, subset::kJoints);
@@ -56,7 +53,6 @@ void TorqueEstimate::link(Links& links) {
   a.contacts = links.has(kContactInertia, subset::kBodies);
   if (a.contacts) a.contact_inertia = links.column(kContactInertia, subset::kBodies);
   a.met = links.column(kMetForce, subset::kBodies);
-  a.own_acceleration = links.column(kRecursionAcceleration, subset::kBodies);
   a.transmitted = links.column(kTransmittedForce, subset::kBodies);
   a.torque = links.column(kMeasuredTorque, subset::kJoints);
   a.load = links.column(kServoLoad, subset::kJoints);

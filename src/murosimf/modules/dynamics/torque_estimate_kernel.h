@@ -3,6 +3,7 @@
 /// @file Kernel of torque_estimate.h.
 
 #include "murosimf/algorithms/inverse_dynamics.h"
+#include "murosimf/algorithms/solved_force.h"
 #include "murosimf/linking/kernel.h"
 
 namespace murosimf {
@@ -12,7 +13,7 @@ struct TorqueEstimateArguments {
   int bodies = 0;
   ColumnRef turn, dq, ddq, armature, damping, stall_torque, inertia, twist, acceleration, force;
   bool contacts = false;  ///< whether something may add inertia at contacts
-  ColumnRef contact_touch, contact_inertia, met, own_acceleration, transmitted, torque, load;
+  ColumnRef contact_touch, contact_inertia, met, transmitted, torque, load;
 };
 
 void addBaselineKernels(KernelSet<TorqueEstimateArguments>& kernels);
@@ -20,7 +21,7 @@ void addWideKernels(KernelSet<TorqueEstimateArguments>& kernels);
 
 inline namespace MUROSIMF_ISA {
 
-/// The forces that contacts had with the accelerations that came of them: f0 - K A.
+/// The forces on all bodies, of contacts what came of them.
 template <class S>
 inline void meetForces(const TorqueEstimateArguments& a, const BlockMemory& block, SpatialForce<S>* met) {
   const auto* force = columnAt<SpatialForce<S>, S>(block, a.force);
@@ -30,9 +31,8 @@ inline void meetForces(const TorqueEstimateArguments& a, const BlockMemory& bloc
     met[i] = force[i];
     const auto touches = touch[i] > S(0);
     if (!a.contacts || !any(touches)) continue;
-    const SpatialForce<S> solved =
-        force[i] - columnAt<ArticulatedInertia<S>, S>(block, a.contact_inertia)[i] * acceleration[i];
-    met[i] = {select(touches, solved.n, force[i].n), select(touches, solved.f, force[i].f)};
+    met[i] = solvedForce(force[i], touches, columnAt<ArticulatedInertia<S>, S>(block, a.contact_inertia)[i],
+                         acceleration[i]);
   }
 }
 
@@ -40,15 +40,14 @@ template <class S>
 void torqueEstimate(const TorqueEstimateArguments& a, const BlockMemory& block, const StepTime&) {
   auto* met = columnAt<SpatialForce<S>, S>(block, a.met);
   meetForces(a, block, met);
-  auto* acceleration = columnAt<SpatialMotion<S>, S>(block, a.own_acceleration);
-  acceleration[0] = *columnAt<SpatialMotion<S>, S>(block, a.acceleration);
   const S* dq = columnAt<S, S>(block, a.dq);
   S* torque = columnAt<S, S>(block, a.torque);
-  inverseDynamics(a.rows, a.bodies,
-                  InverseDynamics<S>{columnAt<SinCos<S>, S>(block, a.turn), dq, columnAt<S, S>(block, a.ddq),
-                                     columnAt<S, S>(block, a.armature), columnAt<RigidInertia<S>, S>(block, a.inertia),
-                                     columnAt<SpatialMotion<S>, S>(block, a.twist), met, acceleration, torque,
-                                     columnAt<SpatialForce<S>, S>(block, a.transmitted)});
+  findJointForces(a.rows, a.bodies,
+                  JointForces<S>{columnAt<SinCos<S>, S>(block, a.turn), columnAt<S, S>(block, a.ddq),
+                                 columnAt<S, S>(block, a.armature), columnAt<RigidInertia<S>, S>(block, a.inertia),
+                                 columnAt<SpatialMotion<S>, S>(block, a.twist),
+                                 columnAt<SpatialMotion<S>, S>(block, a.acceleration), met, torque,
+                                 columnAt<SpatialForce<S>, S>(block, a.transmitted)});
   const S *damping = columnAt<S, S>(block, a.damping), *stall = columnAt<S, S>(block, a.stall_torque);
   S* load = columnAt<S, S>(block, a.load);
   for (int j = 0; j + 1 < a.bodies; ++j) {

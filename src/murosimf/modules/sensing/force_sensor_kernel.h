@@ -3,6 +3,7 @@
 /// @file Kernel of force_sensor.h.
 
 #include "murosimf/algorithms/joint_frame.h"
+#include "murosimf/algorithms/solved_force.h"
 #include "murosimf/linking/kernel.h"
 
 namespace murosimf {
@@ -34,13 +35,13 @@ void addWideKernels(KernelSet<ForceSensorArguments>& kernels);
 
 inline namespace MUROSIMF_ISA {
 
-/// Force on body i from outside of the robot: of an implicit contact what came of it, f0 - K A.
+/// Force on body i from outside of the robot, of contacts what came of them.
 template <class S>
 inline Vec3<S> forceOn(const ForceSensorArguments& a, const BlockMemory& block, int i, const SpatialMotion<S>& A) {
-  const Vec3<S> force = columnAt<SpatialForce<S>, S>(block, a.force)[i].f;
+  const SpatialForce<S>& force = columnAt<SpatialForce<S>, S>(block, a.force)[i];
   const auto touches = columnAt<S, S>(block, a.contact_touch)[i] > S(0);
-  if (!a.contacts || !any(touches)) return force;
-  return select(touches, force - (columnAt<ArticulatedInertia<S>, S>(block, a.contact_inertia)[i] * A).f, force);
+  if (!a.contacts || !any(touches)) return force.f;
+  return solvedForce(force, touches, columnAt<ArticulatedInertia<S>, S>(block, a.contact_inertia)[i], A).f;
 }
 
 /// m a_C, with gravity in it: body axes.

@@ -1,4 +1,4 @@
-#include "leg_inverse_kinematics.h"
+#include "rappe_leg.h"
 
 #include "murosimf/math/rotation.h"
 

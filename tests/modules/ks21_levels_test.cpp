@@ -1,4 +1,4 @@
-// KS21 with simplified dynamics: stands, squats, walks, in steps of any length and in lanes.
+// KS21 at every dynamic level: stands, walks, squats, in steps of any length and in lanes.
 
 #include <gtest/gtest.h>
 
@@ -10,19 +10,30 @@
 namespace murosimf::motion {
 namespace {
 
-struct VersionOf {
+struct NamedLevel {
   const char* name;
-  const char* contact;
-  double recompute;
+  DynamicLevel level;
 };
-class Ks21Simplified : public testing::TestWithParam<VersionOf> {
+NamedLevel simplifiedVersion(const char* name, const char* contact, double recompute) {
+  return {name, simplified(contact).with("simplified_dynamics.recompute", recompute)};
+}
+class Ks21Levels : public testing::TestWithParam<NamedLevel> {
  protected:
-  static DynamicLevel level() {
-    return simplified(GetParam().contact).with("simplified_dynamics.recompute", GetParam().recompute);
-  }
+  static const DynamicLevel& level() { return GetParam().level; }
 };
+class Ks21Simplified : public Ks21Levels {};
 
-TEST_P(Ks21Simplified, StandsForAMinuteWithinMillimetres) {
+std::string nameOf(const testing::TestParamInfo<NamedLevel>& test) { return test.param.name; }
+const auto kSimplifiedLevels = testing::Values(simplifiedVersion("two_smooth", "smooth_contact", 1),
+                                               simplifiedVersion("two_hunt_crossley", "hunt_crossley_contact", 1),
+                                               simplifiedVersion("one_smooth", "smooth_contact", 0));
+const auto kMultibodyLevels = testing::Values(NamedLevel{"multibody_hunt_crossley", multibody("hunt_crossley_contact")},
+                                              NamedLevel{"multibody_smooth", multibody("smooth_contact")});
+INSTANTIATE_TEST_SUITE_P(Simplified, Ks21Levels, kSimplifiedLevels, nameOf);
+INSTANTIATE_TEST_SUITE_P(Multibody, Ks21Levels, kMultibodyLevels, nameOf);
+INSTANTIATE_TEST_SUITE_P(Versions, Ks21Simplified, kSimplifiedLevels, nameOf);
+
+TEST_P(Ks21Levels, StandsForAMinuteWithinMillimetres) {
   DynamicWorld world(1e-3);
   const ObjectId robot = world.add("robot", ks21(), kReady);
   world.link(level());
@@ -33,7 +44,7 @@ TEST_P(Ks21Simplified, StandsForAMinuteWithinMillimetres) {
   EXPECT_GT(world.upright(robot), 0.99);
 }
 
-TEST_P(Ks21Simplified, WalksThreeMetresForwardNearlyAsFastAsCommanded) {
+TEST_P(Ks21Levels, WalksThreeMetresForwardNearlyAsFastAsCommanded) {
   DynamicWorld world(1e-3);
   const ObjectId robot = world.add("robot", ks21(), kReady);
   world.link(level());
@@ -45,7 +56,7 @@ TEST_P(Ks21Simplified, WalksThreeMetresForwardNearlyAsFastAsCommanded) {
   EXPECT_GT(world.upright(robot), 0.97);
 }
 
-TEST_P(Ks21Simplified, WalksSidewaysAndTurnsOnTheSpot) {
+TEST_P(Ks21Levels, WalksSidewaysAndTurnsOnTheSpot) {
   DynamicWorld world(1e-3);
   const ObjectId robot = world.add("robot", ks21(), kReady);
   world.link(level());
@@ -77,13 +88,28 @@ TEST_P(Ks21Simplified, SquatsOnStiffSolesInStepsOfTenMilliseconds) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Versions, Ks21Simplified,
-                         testing::Values(VersionOf{"two_smooth", "smooth_contact", 1},
-                                         VersionOf{"two_hunt_crossley", "hunt_crossley_contact", 1},
-                                         VersionOf{"one_smooth", "smooth_contact", 0}),
-                         [](const auto& test) { return std::string(test.param.name); });
+TEST(Ks21Multibody, SquatsOnStiffSolesInStepsOfSixteenMilliseconds) {
+  for (const double step : {1e-3, 1e-2, 1.6e-2}) {
+    DynamicWorld world(step, groundTable(5e4));
+    const ObjectId robot = world.add("robot", ks21(), squat(0.211));
+    world.link(multibody());
+    double lowest = 1, fastest = 0;
+    while (world.time() < 6) {
+      const double height = 0.1605 + 0.0505 * std::cos(kPi * world.time());  // 0.5 Hz
+      world.command(robot, squat(height));
+      world.step();
+      lowest = std::min(lowest, world.base(robot).translation.z);
+      for (int j = 0; j < 21; ++j) {
+        fastest = std::max(fastest, std::fabs(world.get(robot, kJointVelocity, subset::kJoints, j)));
+      }
+    }
+    EXPECT_GT(world.upright(robot), 0.97) << step;
+    EXPECT_LT(lowest, 0.16) << step;
+    EXPECT_LT(fastest, 4) << step;  // the knees' own way is 2 rad/s
+  }
+}
 
-TEST(Ks21SimplifiedLanes, EqualScalarBitForBitStandingWalkingAndFalling) {
+TEST_P(Ks21Levels, LanesEqualScalarBitForBitStandingWalkingAndFalling) {
   const auto command = [](DynamicWorld& world, std::size_t i, double t) {
     std::vector<double> q = gait(t / 0.52, {0.05 * static_cast<double>(i), 0, 0}, i == 0 ? 0.0 : 1.0);
     if (i == 2) q[11] -= 2 * t, q[17] -= 2 * t;  // bends forward until it lies
@@ -92,7 +118,7 @@ TEST(Ks21SimplifiedLanes, EqualScalarBitForBitStandingWalkingAndFalling) {
   for (const int lanes : {4, 8}) {
     DynamicWorld together(1e-3);
     for (int i = 0; i < 4; ++i) together.add("robot" + std::to_string(i), ks21(), kReady);
-    together.link(simplified(), lanes);
+    together.link(level(), lanes);
     for (int k = 0; k < 120; ++k) {
       for (std::size_t i = 0; i < 4; ++i) command(together, i, 0.01 * k);
       together.run(0.01);
@@ -101,7 +127,7 @@ TEST(Ks21SimplifiedLanes, EqualScalarBitForBitStandingWalkingAndFalling) {
     for (std::size_t i = 0; i < 4; ++i) {
       DynamicWorld alone(1e-3);
       const ObjectId robot = alone.add("robot" + std::to_string(i), ks21(), kReady);
-      alone.link(simplified());
+      alone.link(level());
       alone.place(0, {0, static_cast<double>(i), 0});
       for (int k = 0; k < 120; ++k) {
         command(alone, i, 0.01 * k);
