@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "murosimf/frozen_robots.h"
 #include "murosimf/game_report.h"
 #include "murosimf/match_setup.h"
 #include "murosimf/scene/scenario_reader.h"
@@ -91,7 +92,10 @@ void Run::openFilm() {
     return referee_ == nullptr ? fmt::format("T {:.2f}", time)
                                : gameCaption(time, referee_->score(Team::kRed), referee_->score(Team::kBlue));
   };
-  settings.tag_text = [this](int robot) { return std::string(keeper_->activity(robot)); };
+  settings.tag_text = [this](int robot) {
+    return simulation_->guard().frozen(static_cast<std::size_t>(robot)) ? "frozen"
+                                                                        : std::string(keeper_->activity(robot));
+  };
   film_ = std::make_unique<Film>(*simulation_, std::move(settings));
   simulation_->observe(film_.get());
 }
@@ -137,6 +141,7 @@ nlohmann::ordered_json Run::report() {
   if (referee_ != nullptr) addMatch(report, *referee_, *match_);
   if (percepts_ != nullptr) addPercepts(report, *percepts_, *simulation_);
   addExchanges(report, scene_, *exchanges_, *simulation_);
+  addFrozenRobots(report, *simulation_);
   return report;
 }
 
@@ -146,6 +151,7 @@ std::string Run::finish() {
     text += fmt::format("warning: {}: control software failed at {:.3f} s and was not run again: {}\n",
                         simulation_->world().path(fault.robot), fault.time, fault.what);
   }
+  text += writeFrozenRobots(*simulation_, directory_);
   if (film_ != nullptr) {
     const FilmReport film = film_->finish();
     if (!film.error.empty()) text += "warning: " + film.error + "\n";
@@ -183,7 +189,7 @@ int runScenario(const RunArguments& arguments) {
   if (diagnostics.hasErrors()) return kWrongInput;
   run.play();
   fmt::print("{}", run.finish());
-  return 0;
+  return run.anyFrozen() ? kFault : 0;
 }
 
 }  // namespace murosimf

@@ -32,6 +32,8 @@ class Run {
   void play();
   /// Writes report, pictures and checkpoint. @returns the lines to print
   std::string finish();
+  /// Whether the state of a robot was no number any more, which is a fault of ours or of the numbers that were chosen.
+  bool anyFrozen() const { return !simulation_->guard().faults().empty(); }
 
  private:
   void addObservers();

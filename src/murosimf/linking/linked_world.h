@@ -60,6 +60,11 @@ class LinkedWorld {
   /// variables that both have keep their values, the others begin anew, then the modules of the new level adopt the
   /// state (BlockModule::adopt). Handles and places follow. Allocates nothing; nobody else's numbers change.
   void exchange(ObjectId assembly, int level);
+  /// Gives all variables of an assembly the values from before its first step, at the level at which it is.
+  void beginAnew(ObjectId assembly);
+  const Place& placeOf(const Resident& resident) const {
+    return places_[static_cast<std::size_t>(&resident - residents_.data())];
+  }
   /// Runs the passes of one phase that are due in this frame, on one block. Step memory lasts until the next call;
   /// debug builds fill it with NaN first.
   void runBlock(Phase phase, const Batch& batch, int block, long frame, double* step_memory) const;
@@ -78,7 +83,7 @@ class LinkedWorld {
   /// always as many and in the same order; 0 stands for those that its present level does not have.
   template <class Visitor>
   void visitAllLevels(const Resident& resident, Visitor&& visit) const {
-    const Place& place = places_[static_cast<std::size_t>(&resident - residents_.data())];
+    const Place& place = placeOf(resident);
     for (const auto& layouts : resident.columns) {
       const ColumnLayout* now = layouts[static_cast<std::size_t>(resident.level)];
       const ColumnLayout& any =

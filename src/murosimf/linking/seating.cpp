@@ -204,6 +204,14 @@ void LinkedWorld::enter(Resident& resident, int level) {
   point(resident);
 }
 
+void LinkedWorld::beginAnew(ObjectId assembly) {
+  const Resident& resident = residentOf(assembly);
+  const LevelSeat& seat = resident.levels[static_cast<std::size_t>(resident.level)];
+  const Batch& batch = batchOf(resident);
+  const Lane state = laneOf(batch, batch.state, resident.lane);
+  for (std::size_t i = 0; i < batch.state_size; ++i) state[i] = seat.fresh[i];
+}
+
 void LinkedWorld::exchange(ObjectId assembly, int level) {
   auto& resident = const_cast<Resident&>(residentOf(assembly));
   if (level < 0 || level >= static_cast<int>(resident.levels.size())) {

@@ -16,7 +16,7 @@ namespace murosimf {
 namespace {
 
 constexpr std::string_view kMagic = "MUROCKPT";
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 
 /// Hash of bytes, eight at a time.
 std::uint64_t hashBytes(std::span<const std::byte> bytes) {

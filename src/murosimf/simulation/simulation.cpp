@@ -12,6 +12,7 @@ std::vector<Attachment> frameAttachments(const Participants& participants) {
           {"robot_port", &RobotPort::robotAccess(), participants.robots},
           {"pair_phase", &PairPhase::robotAccess(), participants.robots},
           {"pair_phase", &PairPhase::freeBodyAccess(), participants.free_bodies},
+          {"state_guard", &StateGuard::robotAccess(), participants.robots},
           {"blocking", &BlockingPhase::robotAccess(), participants.robots},
           {"scene_view", &SceneView::robotAccess(), participants.robots}};
 }
@@ -29,6 +30,7 @@ Simulation::Simulation(std::shared_ptr<const World> world, std::unique_ptr<Linke
       blocking_(*world_, *linked_, participants_.robots, participants_.fixed),
       view_(*world_, *linked_, participants_.robots, participants_.free_bodies, participants_.fixed),
       interventions_(*world_, *linked_, pairs_, participants_.robots, participants_.free_bodies),
+      guard_(*world_, *linked_, participants_.robots),
       step_memory_(linked_->stepMemorySize()) {}
 
 Simulation::~Simulation() = default;
@@ -39,19 +41,29 @@ void Simulation::start() {
   if (control_ != nullptr) control_->start();
 }
 
+/// What others ask for; a robot that somebody puts somewhere may move again.
+void Simulation::intervene() {
+  interventions_.apply(frame_);
+  for (const InterventionQueue::Logged& logged : interventions_.applied()) {
+    if (logged.intervention.kind == Intervention::Kind::kPlaceRobot) guard_.thaw(logged.intervention.object);
+  }
+}
+
 void Simulation::step() {
   stages_.start();
   start();
-  interventions_.apply(frame_);
+  intervene();
   stages_.lap(Stage::kInterventions);
   if (control_ != nullptr) control_->applyCommands(frame_);
   stages_.lap(Stage::kCommands);
   runPhase(Phase::kPrescribe);
+  guard_.check(Phase::kPrescribe, frame_);
   blocking_.advance(frame_);
   stages_.lap(Stage::kPrescribe);
   pairs_.advance(frame_, frameLength());
   stages_.lap(Stage::kContacts);
   runPhase(Phase::kAdvance);
+  guard_.check(Phase::kAdvance, frame_);
   stages_.lap(Stage::kAdvance);
   runPhase(Phase::kSense);
   stages_.lap(Stage::kSense);
@@ -98,6 +110,7 @@ void Simulation::archive(StateArchive& archive) {
   }
   pairs_.archive(archive);
   interventions_.archive(archive);
+  guard_.archive(archive);
   if (control_ != nullptr) control_->archive(archive);
   for (FrameObserver* observer : observers_) observer->archive(archive);
 }

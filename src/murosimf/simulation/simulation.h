@@ -10,6 +10,7 @@
 #include "murosimf/modules/contact/blocking_phase.h"
 #include "murosimf/simulation/interventions.h"
 #include "murosimf/simulation/stage_clock.h"
+#include "murosimf/simulation/state_guard.h"
 
 namespace murosimf {
 
@@ -50,6 +51,8 @@ class Simulation {
   PairPhase& pairs() { return pairs_; }
   InterventionQueue& interventions() { return interventions_; }
   const InterventionQueue& interventions() const { return interventions_; }
+  /// Robots whose state was no number any more.
+  const StateGuard& guard() const { return guard_; }
   const StageClock& stages() const { return stages_; }
 
   /// Gives the robots their control software. Call before the first frame.
@@ -80,6 +83,7 @@ class Simulation {
   void start();
 
  private:
+  void intervene();
   void runPhase(Phase phase);
 
   std::shared_ptr<const World> world_;
@@ -89,6 +93,7 @@ class Simulation {
   BlockingPhase blocking_;
   SceneView view_;
   InterventionQueue interventions_;
+  StateGuard guard_;
   std::unique_ptr<ControlLoop> control_;
   std::vector<FrameObserver*> observers_;
   std::vector<std::unique_ptr<FrameObserver>> own_observers_;

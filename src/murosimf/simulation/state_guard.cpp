@@ -1,0 +1,92 @@
+#include "murosimf/simulation/state_guard.h"
+
+#include "murosimf/algorithms/tree_rows.h"
+
+namespace murosimf {
+
+const OutsideAccess& StateGuard::robotAccess() {
+  static const OutsideAccess access([](Declaration& d) {
+    d.needs(kTree);
+    d.reads(kJointPosition, subset::kJoints);
+    d.reads(kJointVelocity, subset::kJoints);
+    d.reads(kJointCommand, subset::kJoints);
+    d.reads(kBasePose);
+    d.readsIfAdded(kBaseVelocity);
+  });
+  return access;
+}
+
+StateGuard::StateGuard(const World& world, LinkedWorld& linked, const std::vector<ObjectId>& robots)
+    : world_(world), linked_(linked) {
+  for (const ObjectId id : robots) {
+    robots_.push_back({id, &linked.residentOf(id), StepHistory(linked, id), linked.handle(id, kBasePose),
+                       linked.handle(id, kBasePoseLast), linked.handle(id, kBodyPose, subset::kBodies),
+                       linked.handle(id, kBodyPoseLast, subset::kBodies),
+                       linked.handle(id, kJointPosition, subset::kJoints), kernelRows(*world.findShared(id, kTree))});
+  }
+}
+
+void StateGuard::check(Phase phase, long frame) {
+  const double time = static_cast<double>(frame + 1) * linked_.frameLength();
+  for (Robot& robot : robots_) {
+    if (robot.frozen) {
+      hold(robot);
+    } else if (robot.history.moved(phase, frame) && !robot.history.record(time)) {
+      freeze(robot, time);
+    }
+  }
+}
+
+void StateGuard::freeze(Robot& robot, double time) {
+  Fault& fault = faults_.emplace_back(Fault{robot.object, time, robot.history.fault(world_), {}});
+  for (int i = 0; i < robot.history.size(); ++i) fault.steps.push_back(robot.history.step(i));
+  robot.history.clear();
+  robot.frozen = true;
+  linked_.beginAnew(robot.object);
+  if (fault.steps.size() > 1) {
+    const StepHistory::Step& last = fault.steps[fault.steps.size() - 2];
+    robot.base.set(last.X_WB);
+    for (int j = 0; j < robot.q.size(); ++j) robot.q.set(last.q[static_cast<std::size_t>(j)], j);
+  }
+  robot.X_WB = robot.base.get();
+  robot.at.clear();
+  for (int j = 0; j < robot.q.size(); ++j) robot.at.push_back(robot.q.get(j));
+  stop(robot);
+}
+
+/// Takes its state, at its present level, as that of a robot that has never moved.
+void StateGuard::stop(Robot& robot) {
+  linked_.beginAnew(robot.object);
+  robot.base.set(robot.X_WB);
+  if (robot.base_last.valid()) robot.base_last.set(robot.X_WB);
+  for (std::size_t j = 0; j < robot.at.size(); ++j) robot.q.set(robot.at[j], static_cast<int>(j));
+  std::vector<Pose> X_WR{robot.X_WB};
+  for (std::size_t i = 1; i < robot.rows.size(); ++i) {
+    X_WR.push_back(childPose(X_WR[static_cast<std::size_t>(robot.rows[i].parent)], robot.rows[i], robot.at[i - 1]));
+  }
+  for (Handle<Pose>* bodies : {&robot.bodies, &robot.bodies_last}) {
+    for (int i = 0; i < bodies->size(); ++i) bodies->set(X_WR[static_cast<std::size_t>(i)], i);
+  }
+  robot.level = robot.resident->level;
+  robot.memory.clear();
+  linked_.visitMemory(linked_.placeOf(*robot.resident), [&](double& value) { robot.memory.push_back(value); });
+}
+
+void StateGuard::hold(Robot& robot) {
+  if (robot.level != robot.resident->level) return stop(robot);
+  auto next = robot.memory.cbegin();
+  linked_.visitMemory(linked_.placeOf(*robot.resident), [&](double& value) { value = *next++; });
+}
+
+void StateGuard::thaw(ObjectId object) {
+  for (Robot& robot : robots_) {
+    if (robot.object == object) robot.frozen = false;
+  }
+}
+
+void StateGuard::archive(StateArchive& archive) {
+  for (Robot& robot : robots_) archive(robot);
+  archive(faults_);
+}
+
+}  // namespace murosimf

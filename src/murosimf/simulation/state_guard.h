@@ -1,0 +1,69 @@
+#pragma once
+
+/// @file Containment: a robot whose state is no number any more is frozen where it last was; all others go on.
+///
+/// Robots share nothing but contacts, so that it is enough to look at each robot behind every step, before anybody else
+/// reads it. A frozen robot stands still, all its other variables as they are before a first step, whatever it is
+/// commanded and linked to. It thaws when somebody places it (a referee, a person).
+
+#include <string>
+#include <vector>
+
+#include "murosimf/algorithms/tree_rows.h"
+#include "murosimf/linking/outside_access.h"
+#include "murosimf/math/state_archive.h"
+#include "murosimf/simulation/step_history.h"
+
+namespace murosimf {
+
+class StateGuard {
+ public:
+  /// What it takes of robots: attach this when linking.
+  static const OutsideAccess& robotAccess();
+
+  /// One robot that was frozen, as often as that happened.
+  struct Fault {
+    ObjectId robot;
+    double time = 0;  ///< end of the step that went wrong [s]
+    std::string what;
+    std::vector<StepHistory::Step> steps;  ///< that led to it, the wrong one last; empty after a checkpoint
+    void archive(StateArchive& archive) { archive(robot, time, what); }
+  };
+
+  StateGuard(const World& world, LinkedWorld& linked, const std::vector<ObjectId>& robots);
+
+  /// Behind a phase: looks at those whose step has ended in it, and holds those that are frozen.
+  void check(Phase phase, long frame);
+  /// A robot that was placed moves again.
+  void thaw(ObjectId robot);
+  /// Robots by number, as they were given.
+  bool frozen(std::size_t robot) const { return robots_[robot].frozen; }
+  const std::vector<Fault>& faults() const { return faults_; }
+  void archive(StateArchive& archive);
+
+ private:
+  struct Robot {
+    ObjectId object;
+    const Resident* resident;
+    StepHistory history;
+    Handle<Pose> base, base_last, bodies, bodies_last;
+    Handle<double> q;
+    std::vector<KernelRow> rows;
+    bool frozen = false;
+    Pose X_WB{};                   ///< where it is held
+    std::vector<double> at{};      ///< joint positions in which it is held
+    int level = 0;                 ///< at which `memory` was taken
+    std::vector<double> memory{};  ///< all of its variables while it is held
+    void archive(StateArchive& archive) { archive(frozen, X_WB, at, level, memory); }
+  };
+  void freeze(Robot& robot, double time);
+  void stop(Robot& robot);
+  void hold(Robot& robot);
+
+  const World& world_;
+  LinkedWorld& linked_;
+  std::vector<Robot> robots_;
+  std::vector<Fault> faults_;
+};
+
+}  // namespace murosimf

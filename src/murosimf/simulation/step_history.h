@@ -1,0 +1,56 @@
+#pragma once
+
+/// @file A robot's last steps, kept for the day on which its state turns out to be no number.
+///
+/// Single precision: 65 KB a robot of 21 joints. Cost: one pass over position, velocity and command of its joints.
+
+#include <cmath>
+#include <vector>
+
+#include "murosimf/linking/linked_world.h"
+#include "murosimf/world/vocabulary.h"
+
+namespace murosimf {
+
+class StepHistory {
+ public:
+  static constexpr int kSteps = 200;
+  /// Beyond it a number counts as none: meters, radians, their rates.
+  static constexpr double kLargest = 1e10;
+
+  StepHistory(LinkedWorld& linked, ObjectId robot);
+
+  /// Whether a step of this phase ends with this frame.
+  bool moved(Phase phase, long frame) const { return base_.phase() == phase && frame % base_.period() == 0; }
+  /// Keeps the state of the moment. @return whether all of its numbers are numbers
+  bool record(double time);
+  void clear() { count_ = 0; }
+
+  /// One step as it was kept.
+  struct Step {
+    double time = 0;  ///< at its end [s]
+    Pose X_WB;
+    SpatialMotion<double> V_WB;  ///< in the base's axes; zero where the motion has none
+    std::vector<double> q, dq, command;
+  };
+  int size() const { return static_cast<int>(count_ < kSteps ? count_ : kSteps); }
+  /// The oldest one has number 0.
+  Step step(int number) const;
+  /// What is wrong with the state of the moment: "joint_velocity of robots.red.2.left_knee is nan".
+  std::string fault(const World& world) const;
+
+ private:
+  std::size_t slot(long step) const { return static_cast<std::size_t>(step % kSteps) * width_; }
+
+  ObjectId robot_;
+  Handle<Pose> base_;
+  Handle<SpatialMotion<double>> velocity_;
+  Handle<double> q_, dq_;
+  Handle<ServoCommand> command_;
+  std::size_t joints_ = 0, width_ = 0;
+  std::vector<float> ring_;
+  std::vector<double> times_;
+  long count_ = 0;
+};
+
+}  // namespace murosimf
