@@ -1,0 +1,111 @@
+// Two boxes: separating axes, then the corners of what their faces share.
+#include "murosimf/algorithms/collision/collision_pairs.h"
+#include "murosimf/algorithms/collision/line_distance.h"
+#include "murosimf/algorithms/collision/surface_feature.h"
+
+namespace murosimf {
+namespace {
+
+/// Edges win over faces only when they are this much shallower: a face gives up to four points, an edge one.
+constexpr double kEdgeShare = 0.99, kEdgeMargin = 1e-6;  // of the depth; [m]
+constexpr double kParallel = 1e-6;                       // sine between edges whose product is no axis any more
+constexpr double kSameAxis = 0.98;                       // cosine to the last normal within which it is kept
+
+/// One of the 15 axes: n points from B to A, and the boxes overlap by depth along it. Edges: i of A, j of B.
+struct Axis {
+  Vector3 normal;
+  double depth = 0;
+  int i = -1, j = -1;
+  bool isEdge() const { return i >= 0; }
+};
+
+class SeparatingAxes {
+ public:
+  SeparatingAxes(const Vector3& a, const Vector3& b, const Pose& X_AB) : a_(a), b_(b), X_(X_AB) {
+    for (int i = 0; i < 3; ++i) axis_of_a_[i][i] = 1;
+    axis_of_b_[0] = X_.rotation.x, axis_of_b_[1] = X_.rotation.y, axis_of_b_[2] = X_.rotation.z;
+  }
+  /// @return false if an axis separates the boxes
+  bool search(const Vector3& hint) {
+    hint_ = hint;
+    for (int i = 0; i < 3; ++i)
+      if (!tryFace(axis_of_a_[i]) || !tryFace(axis_of_b_[i])) return false;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        if (!tryEdges(i, j)) return false;
+    return true;
+  }
+  Axis best() const {
+    const double thinner = min(min(a_.x, min(a_.y, a_.z)), min(b_.x, min(b_.y, b_.z)));
+    const Axis& shallowest = edge_.isEdge() && edge_.depth < kEdgeShare * face_.depth - kEdgeMargin ? edge_ : face_;
+    const bool deep = shallowest.depth > 0.5 * thinner && hinted_along_ > kSameAxis;
+    return deep ? hinted_ : shallowest;
+  }
+  const Vector3& edgeOfB(int j) const { return axis_of_b_[j]; }
+
+ private:
+  bool tryFace(const Vector3& axis) { return take(axis, -1, -1, face_); }
+  bool tryEdges(int i, int j) {
+    const Vector3 across = cross(axis_of_a_[i], axis_of_b_[j]);
+    const double sine = norm(across);
+    return sine < kParallel || take(across * (1 / sine), i, j, edge_);
+  }
+  bool take(const Vector3& axis, int i, int j, Axis& least) {
+    const Vector3 axis_B = applyTransposed(X_.rotation, axis);
+    const double apart = dot(axis, X_.translation);
+    const double reach_a = a_.x * abs(axis.x) + a_.y * abs(axis.y) + a_.z * abs(axis.z);
+    const double reach_b = b_.x * abs(axis_B.x) + b_.y * abs(axis_B.y) + b_.z * abs(axis_B.z);
+    Axis found{axis, reach_a + reach_b - abs(apart), i, j};
+    if (!(found.depth > 0)) return false;
+    if (apart > 0) found.normal = -axis;
+    if (!taken_ || found.depth < least.depth || (i >= 0 && !least.isEdge())) least = found;
+    taken_ = true;
+    const double along = dot(hint_, found.normal);
+    if (along > hinted_along_) hinted_along_ = along, hinted_ = found;
+    return true;
+  }
+
+  Vector3 a_, b_;
+  Pose X_;
+  Vector3 axis_of_a_[3], axis_of_b_[3];
+  Vector3 hint_;
+  bool taken_ = false;
+  Axis face_, edge_, hinted_;
+  double hinted_along_ = 0;
+};
+
+void pointOfEdges(const Vector3& a, const CollisionShape& b, const Pose& X_AB, const Axis& axis, const Vector3& edge_b,
+                  ContactManifold& out) {
+  const Vector3 &n = axis.normal, n_B = applyTransposed(X_AB.rotation, n);
+  Vector3 p_A, p_B = supportPoint(b, n_B), edge_a;
+  for (int k = 0; k < 3; ++k) p_A[k] = k == axis.i ? 0.0 : n[k] > 0 ? -a[k] : a[k];
+  edge_a[axis.i] = 1;
+  p_B[axis.j] = 0;
+  const auto feature = static_cast<std::uint32_t>(1 + 3 * axis.i + axis.j);
+  out.points[0] = {midpointOfLines(p_A, edge_a, X_AB * p_B, edge_b), axis.depth, feature};
+  out.count = 1;
+}
+
+}  // namespace
+
+void boxAgainstBox(const CollisionShape& a, const CollisionShape& b, const Pose& X_AB, const Vector3& hint,
+                   ContactManifold& out) {
+  out.count = 0;
+  SeparatingAxes axes(a.half_size, b.half_size, X_AB);
+  if (!axes.search(hint)) return;
+  const Axis axis = axes.best();
+  out.normal = axis.normal;
+  if (axis.isEdge()) return pointOfEdges(a.half_size, b, X_AB, axis, axes.edgeOfB(axis.j), out);
+  const Vector3 n_B = applyTransposed(X_AB.rotation, axis.normal);
+  SurfaceFeature face_a, face_b;
+  facingFaceOfBox(a.half_size, -axis.normal, face_a);
+  facingFaceOfBox(b.half_size, n_B, face_b);
+  transformFeature(X_AB, face_b);
+  // The face belongs to one of the boxes; the other one's farthest corner is the deepest.
+  const bool face_of_a = dot(face_a.normal, axis.normal) < -dot(face_b.normal, axis.normal);
+  const Vector3 tip = face_of_a ? X_AB * supportPoint(b, n_B) - axis.normal * (0.5 * axis.depth)
+                                : supportPoint(a, -axis.normal) + axis.normal * (0.5 * axis.depth);
+  pointsBetween(face_a, face_b, {axis.depth, tip}, out);
+}
+
+}  // namespace murosimf

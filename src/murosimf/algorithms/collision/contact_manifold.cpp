@@ -1,0 +1,48 @@
+#include "murosimf/algorithms/collision/contact_manifold.h"
+
+namespace murosimf {
+namespace {
+
+/// The candidate for which `measure` is largest, -1 if it exceeds zero nowhere.
+template <class Measure>
+int best(const CandidatePoints& candidates, Measure measure) {
+  int chosen = -1;
+  double most = 0;
+  for (int i = 0; i < candidates.count; ++i) {
+    const double value = measure(candidates.points[i]);
+    if (value > most) most = value, chosen = i;
+  }
+  return chosen;
+}
+
+}  // namespace
+
+void chooseFour(const CandidatePoints& candidates, ContactManifold& out) {
+  out.count = 0;
+  const auto take = [&](int i) {
+    if (i >= 0) out.points[out.count++] = candidates.points[i];
+  };
+  if (candidates.count <= 4) {
+    for (int i = 0; i < candidates.count; ++i) take(i);
+    return;
+  }
+  take(best(candidates, [](const ContactPoint& p) { return p.depth; }));
+  const Vector3 a = out.points[0].position;
+  take(best(candidates, [&](const ContactPoint& p) { return squaredNorm(p.position - a); }));
+  if (out.count < 2) return;
+  const Vector3 b = out.points[1].position, side = cross(out.normal, b - a);
+  const auto height = [&](const ContactPoint& p) { return dot(side, p.position - a); };
+  take(best(candidates, [&](const ContactPoint& p) { return abs(height(p)); }));
+  if (out.count < 3) return;
+  // The fourth point lies beyond one of the triangle's edges. Twice the area that it adds there:
+  const Vector3 c = out.points[2].position;
+  const double turn = height(out.points[2]) > 0 ? 1.0 : -1.0;
+  const auto beyond = [&](const Vector3& from, const Vector3& to, const Vector3& p) {
+    return -turn * dot(out.normal, cross(to - from, p - from));
+  };
+  take(best(candidates, [&](const ContactPoint& p) {
+    return max(beyond(a, b, p.position), max(beyond(b, c, p.position), beyond(c, a, p.position)));
+  }));
+}
+
+}  // namespace murosimf

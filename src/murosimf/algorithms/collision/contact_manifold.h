@@ -1,0 +1,47 @@
+#pragma once
+
+/// @file What collision detection finds: where two bodies overlap, how deep, and which way out is shortest.
+
+#include <cstdint>
+
+#include "murosimf/math/vec3.h"
+
+namespace murosimf {
+
+struct ContactPoint {
+  Vector3 position;           ///< midway between both surfaces [m], world
+  double depth = 0;           ///< along the manifold's normal [m] > 0
+  std::uint32_t feature = 0;  ///< the same from frame to frame for the same corners, edges and faces
+};
+
+/// Up to four points of one pair of shapes. Four carry a body that stands as well as more would.
+struct ContactManifold {
+  Vector3 normal{0, 0, 1};  ///< unit length, from B to A, the direction of the force on A; world
+  int count = 0;            ///< 0: the shapes do not touch
+  ContactPoint points[4];
+};
+
+/// The deepest point, for who wants one point a pair [Friedmann 2007]. Requires count > 0.
+inline const ContactPoint& deepest(const ContactManifold& manifold) {
+  int best = 0;
+  for (int i = 1; i < manifold.count; ++i)
+    if (manifold.points[i].depth > manifold.points[best].depth) best = i;
+  return manifold.points[best];
+}
+
+/// Contact points of a pair before at most four of them are chosen.
+struct CandidatePoints {
+  static constexpr int kMost = 80;
+  ContactPoint points[kMost];
+  int count = 0;
+  /// Points that do not overlap are dropped.
+  void add(const Vector3& position, double depth, std::uint32_t feature) {
+    if (depth > 0 && count < kMost) points[count++] = {position, depth, feature};
+  }
+};
+
+/// Fills out.points: the deepest candidate, the one farthest from it, the one that spans the largest triangle with both
+/// and the one that adds most area on the other side; all of them where they are no more than four. Needs out.normal.
+void chooseFour(const CandidatePoints& candidates, ContactManifold& out);
+
+}  // namespace murosimf

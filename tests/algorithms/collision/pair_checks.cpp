@@ -1,0 +1,120 @@
+#include "algorithms/collision/pair_checks.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+namespace murosimf::collision_test {
+namespace {
+
+constexpr double kExact = 1e-9;        // [m], closed forms
+constexpr double kIterative = 1.2e-6;  // [m]: 1e-7 + 1e-4 depth, see least_depth.h
+
+ContactManifold detect(const Pair& pair) {
+  ContactManifold out;
+  detectContact(pair.a, pair.X_WA, pair.b, pair.X_WB, out);
+  return out;
+}
+
+bool sameButTurned(const ContactManifold& l, const ContactManifold& r) {
+  if (l.count != r.count) return false;
+  if (l.count > 0 && !(l.normal == -r.normal)) return false;
+  for (int i = 0; i < l.count; ++i)
+    if (!(l.points[i].position == r.points[i].position) || l.points[i].depth != r.points[i].depth ||
+        l.points[i].feature != r.points[i].feature)
+      return false;
+  return true;
+}
+
+class PairCheck {
+ public:
+  PairCheck(CollisionKind a, CollisionKind b)
+      : dice_(1 + static_cast<std::uint64_t>(a) * 8 + static_cast<std::uint64_t>(b)), a_(a), b_(b) {}
+
+  void run(PairReport& r) {
+    report_ = &r;
+    pair_ = randomPair(a_, b_, dice_);
+    ++r.poses;
+    const ContactManifold found = detect(pair_);
+    const Sweep sweep = sweepDirections(pair_, dice_);
+    countIf(sameButTurned(detect({pair_.b, pair_.a, pair_.X_WB, pair_.X_WA}), found), r.unequal);
+    if (found.count == 0) return countIf(sweep.depth < 1e-6, r.unseen);
+    ++r.touching;
+    const double depth = deepest(found).depth;
+    countIf(sweep.depth > -kExact, r.phantom);
+    checkDepth(found, depth, sweep);
+    checkMoved(found, depth);
+  }
+
+ private:
+  double tolerance() const { return isClosedForm(a_, b_) ? kExact : kIterative; }
+  void countIf(bool holds, int& count) {
+    if (holds) return;
+    ++count;
+    if (report_->first.size() < 60) report_->first += " " + std::to_string(report_->poses - 1);
+  }
+  void checkDepth(const ContactManifold& found, double depth, const Sweep& sweep) {
+    countIf(abs(overlapAlong(pair_, found.normal) - depth) <= kExact, report_->inexact);
+    report_->worst = max(report_->worst, depth - sweep.depth);
+    countIf(depth <= sweep.depth + max(1e-5, 0.01 * sweep.depth), report_->too_deep);
+    if (!sweep.unique) return;
+    ++report_->unique;
+    countIf(dot(found.normal, sweep.normal) >= 0.99985, report_->other_normal);  // cosine of 1 degree
+  }
+  void checkMoved(const ContactManifold& found, double depth) {
+    Pair apart = pair_;
+    apart.X_WA.translation += found.normal * (depth * (1 + 1e-6) + kExact);
+    const ContactManifold after = detect(apart);
+    countIf(after.count == 0 || deepest(after).depth < tolerance(), report_->inside);
+    const Pose X = dice_.pose();
+    const Pair moved{pair_.a, pair_.b, X * pair_.X_WA, X * pair_.X_WB};
+    const ContactManifold there = detect(moved);
+    countIf(there.count > 0 && abs(deepest(there).depth - depth) <= tolerance(), report_->moving);
+    // Where several normals and points are equally good, rounding may choose another.
+    if (there.count == 0 || pair_.aligned || !isClosedForm(a_, b_)) return;
+    const bool same_normal = norm(X.rotation * found.normal - there.normal) < kExact;
+    bool same_points = found.count == there.count;
+    for (int i = 0; same_points && i < found.count; ++i)
+      same_points = norm(X * found.points[i].position - there.points[i].position) < kExact;
+    countIf(same_normal && same_points, report_->moving);
+  }
+
+  Dice dice_;
+  CollisionKind a_, b_;
+  Pair pair_;
+  PairReport* report_ = nullptr;
+};
+
+double percent(int part, int whole) { return whole > 0 ? 100.0 * part / whole : 0.0; }
+
+}  // namespace
+
+PairReport checkPair(CollisionKind a, CollisionKind b, int poses) {
+  PairReport report;
+  PairCheck check(a, b);
+  for (int i = 0; i < poses; ++i) check.run(report);
+  return report;
+}
+
+std::string describe(CollisionKind a, CollisionKind b, const PairReport& r) {
+  char text[600];
+  std::snprintf(text, sizeof(text),
+                "%-9s %-9s: %d poses, %d touch; unseen %d, phantom %d, unequal %d, moving %d, inside %d, inexact %d; "
+                "too deep %d (%.3f %%), worst %.1e m; other normal %d of %d (%.3f %%)%s",
+                nameOf(a).c_str(), nameOf(b).c_str(), r.poses, r.touching, r.unseen, r.phantom, r.unequal, r.moving,
+                r.inside, r.inexact, r.too_deep, percent(r.too_deep, r.touching), r.worst, r.other_normal, r.unique,
+                percent(r.other_normal, r.unique), r.first.empty() ? "" : ("; first:" + r.first).c_str());
+  return text;
+}
+
+void expectPairToHold(CollisionKind a, CollisionKind b, int poses) {
+  const PairReport r = checkPair(a, b, poses);
+  const std::string text = describe(a, b, r);
+  std::printf("%s\n", text.c_str());
+  EXPECT_GT(r.touching, poses / 2) << text;
+  for (const int count : {r.unseen, r.phantom, r.unequal, r.moving, r.inside, r.inexact}) EXPECT_EQ(count, 0) << text;
+  EXPECT_LE(r.too_deep, 1e-3 * r.touching) << text;
+  EXPECT_LE(r.other_normal, 1e-3 * r.unique) << text;
+}
+
+}  // namespace murosimf::collision_test
