@@ -60,7 +60,7 @@ int main(int count, char** words) {
   bool complete = true;
   for (const auto& parts :
        {murosimf::bench::peerParts(), murosimf::bench::growthParts(), murosimf::bench::fullDynamicsParts(),
-        murosimf::bench::passParts(), murosimf::bench::kinematicParts()}) {
+        murosimf::bench::passParts(), murosimf::bench::kinematicParts(), murosimf::bench::collisionParts()}) {
     complete = collect(parts, rows) && complete;
   }
   write(rows);

@@ -53,5 +53,6 @@ std::vector<Part> growthParts();
 std::vector<Part> fullDynamicsParts();
 std::vector<Part> passParts();
 std::vector<Part> kinematicParts();
+std::vector<Part> collisionParts();
 
 }  // namespace murosimf::bench

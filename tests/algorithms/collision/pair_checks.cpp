@@ -69,7 +69,8 @@ class PairCheck {
     const Pose X = dice_.pose();
     const Pair moved{pair_.a, pair_.b, X * pair_.X_WA, X * pair_.X_WB};
     const ContactManifold there = detect(moved);
-    countIf(there.count > 0 && abs(deepest(there).depth - depth) <= tolerance(), report_->moving);
+    const double depth_there = there.count > 0 ? deepest(there).depth : 0.0;
+    countIf(abs(depth_there - depth) <= tolerance(), report_->moving);
     // Where several normals and points are equally good, rounding may choose another.
     if (there.count == 0 || pair_.aligned || !isClosedForm(a_, b_)) return;
     const bool same_normal = norm(X.rotation * found.normal - there.normal) < kExact;

@@ -108,16 +108,44 @@ Minimum refined(const Pair& pair, Minimum m, double step, double shrink, Dice& d
   return m;
 }
 
+/// Where a straight edge leans on something, the overlap has a kink along the great circle across the edge, in which
+/// random steps get stuck. Golden sections along each circle that passes near.
+Minimum alongKinks(const Pair& pair, Minimum m, const std::vector<Vector3>& edges) {
+  constexpr double kGolden = 0.6180339887498949;
+  for (const Vector3& u : edges) {
+    if (abs(dot(u, m.normal)) > 0.1) continue;
+    const Vector3 x = normalized(m.normal - u * dot(u, m.normal)), y = cross(u, x);
+    const auto at = [&](double angle) {
+      const Vector3 n = x * cos(angle) + y * sin(angle);
+      return Minimum{overlapAlong(pair, n), n};
+    };
+    double low = -0.1, high = 0.1;
+    while (high - low > 1e-6) {
+      const double l = high - kGolden * (high - low), r = low + kGolden * (high - low);
+      (at(l).depth < at(r).depth ? high : low) = at(l).depth < at(r).depth ? r : l;
+    }
+    if (const Minimum found = at(0.5 * (low + high)); found.depth < m.depth) m = found;
+  }
+  return m;
+}
+
+/// `minima`: other directions that might be as good.
 bool isUnique(const Pair& pair, const Minimum& best, const std::vector<Minimum>& minima) {
-  for (const Minimum& m : minima)
-    if (dot(m.normal, best.normal) < 0.9962 && m.depth < 1.05 * best.depth + 2e-5) return false;  // 5 degrees apart
+  const bool boxes = pair.a.kind == CollisionKind::kBox && pair.b.kind == CollisionKind::kBox;
+  const double rise = 3e-6 + 0.015 * best.depth;
+  for (const Minimum& m : minima) {
+    const double cosine = dot(m.normal, best.normal);
+    if (cosine < 0.99985 && m.depth < best.depth + rise) return false;        // 1 degree apart
+    if (cosine < 0.9962 && m.depth < 1.05 * best.depth + 2e-5) return false;  // 5 degrees apart
+  }
   const Vector3 x = normalized(cross(best.normal, abs(best.normal.x) < 0.7 ? Vector3{1, 0, 0} : Vector3{0, 1, 0}));
   const Vector3 y = cross(best.normal, x);
-  for (int i = 0; i < 16; ++i) {
-    const double angle = 2 * kPi * i / 16;
-    const Vector3 n = normalized(best.normal + (x * cos(angle) + y * sin(angle)) * 0.0175);
-    if (overlapAlong(pair, n) < best.depth + 3e-6) return false;
-  }
+  for (const double degrees : {1.0, 2.0, 3.5, 5.0, 7.0, 10.0})
+    for (int i = 0; i < 16; ++i) {
+      const double angle = 2 * kPi * i / 16, radius = degrees * kPi / 180;
+      const Vector3 n = normalized(best.normal + (x * cos(angle) + y * sin(angle)) * radius);
+      if (overlapAlong(pair, n) < best.depth + (degrees > 1 || boxes ? rise : 3e-6)) return false;
+    }
   return true;
 }
 
@@ -231,10 +259,14 @@ Sweep sweepDirections(const Pair& pair, Dice& dice) {
     if (std::none_of(starts.begin(), starts.end(), [&](const Minimum& s) { return dot(s.normal, m.normal) > 0.985; }))
       starts.push_back(m);
   }
+  minima.resize(std::min<std::size_t>(minima.size(), 200));  // the others are no rivals
   for (Minimum& m : starts) m = refined(pair, m, 0.1, 0.93, dice);
   std::sort(starts.begin(), starts.end(), [](const Minimum& l, const Minimum& r) { return l.depth < r.depth; });
-  const Minimum best = refined(pair, starts.front(), 0.03, 0.975, dice);
-  return {best.depth, best.normal, isUnique(pair, best, starts)};
+  Minimum best = refined(pair, starts.front(), 0.03, 0.975, dice);
+  edges_a.insert(edges_a.end(), edges_b.begin(), edges_b.end());
+  best = refined(pair, alongKinks(pair, best, edges_a), 1e-3, 0.9, dice);
+  minima.insert(minima.end(), starts.begin(), starts.end());
+  return {best.depth, best.normal, isUnique(pair, best, minima)};
 }
 
 }  // namespace murosimf::collision_test

@@ -7,9 +7,9 @@ namespace murosimf {
 namespace {
 
 /// Edges win over faces only when they are this much shallower: a face gives up to four points, an edge one.
-constexpr double kEdgeShare = 0.99, kEdgeMargin = 1e-6;  // of the depth; [m]
-constexpr double kParallel = 1e-6;                       // sine between edges whose product is no axis any more
-constexpr double kSameAxis = 0.98;                       // cosine to the last normal within which it is kept
+constexpr double kEdgeShare = 0.992, kEdgeMargin = 1e-6;  // of the depth; [m]
+constexpr double kParallel = 1e-6;                        // sine between edges whose product is no axis any more
+constexpr double kSameAxis = 0.98;                        // cosine to the last normal within which it is kept
 
 /// One of the 15 axes: n points from B to A, and the boxes overlap by depth along it. Edges: i of A, j of B.
 struct Axis {
