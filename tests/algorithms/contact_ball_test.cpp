@@ -255,7 +255,7 @@ struct Sled {
     scene.ball().X_WB.rotation = X_WG.rotation;
     for (int i = 0; i < 3; ++i) {
       scene.addGround(0, surface, X_WG);
-      SpherePair& pair = scene.frame.pairs.back();
+      ContactPair& pair = scene.frame.pairs.back();
       pair.key.shape_a = static_cast<std::uint16_t>(i);
       pair.p_BC = rotationZ(2 * kPi / 3 * i) * Vector3{0.1, 0, 0};
     }

@@ -1,8 +1,8 @@
 // A ball against robots: moved by prescription (infinite mass, limited force) and recoiling (finite mass).
 #include <gtest/gtest.h>
 
+#include "algorithms/rigid_response.h"
 #include "contact_scene.h"
-#include "murosimf/algorithms/rigid_response.h"
 
 namespace murosimf {
 namespace {
@@ -148,7 +148,7 @@ PunchResult punch(double body_mass, double stiffness, double speed) {
   double v = speed;
   for (int i = 0; i < 200; ++i) {
     ContactPartner& partner = scene.partner(body);
-    const RigidResponse response(body_mass, partner.X_start.translation, {{1e3, 0, 0}, {0, 1e3, 0}, {0, 0, 1e3}});
+    const RigidResponse response({}, body_mass, partner.X_start.translation, {{1e3, 0, 0}, {0, 1e3, 0}, {0, 0, 1e3}});
     scene.frame.responders = {&response};
     partner.X_end.translation = partner.X_start.translation + Vector3{v * scene.dt, 0, 0};
     scene.advance();
@@ -189,7 +189,7 @@ TEST(Kick, RecoilingBodyEqualsAFreeBodyOfTheSameMass) {
   const double inverse_inertia = 1 / (other.beta * other.mass * other.radius * other.radius);
   for (int i = 0; i < 200; ++i) {
     ContactPartner& partner = one.partner(body);
-    const RigidResponse response(other.mass, partner.X_start.translation,
+    const RigidResponse response({}, other.mass, partner.X_start.translation,
                                  {{inverse_inertia, 0, 0}, {0, inverse_inertia, 0}, {0, 0, inverse_inertia}});
     one.frame.responders = {&response};
     partner.X_end.translation = partner.X_start.translation + v * one.dt;
@@ -232,7 +232,7 @@ TEST(Kick, TwoPointsOfOneRecoilingBodyShareItsMass) {
   double v = 0;
   const auto inverse_inertia = Rotation3{{1e2, 0, 0}, {0, 1e2, 0}, {0, 0, 1e2}};
   for (int i = 0; i < 200; ++i) {
-    const RigidResponse response(body_mass, scene.partner(0).X_start.translation, inverse_inertia);
+    const RigidResponse response({}, body_mass, scene.partner(0).X_start.translation, inverse_inertia);
     scene.frame.responders = {&response};
     for (int side : {0, 1})
       scene.partner(side).X_end.translation = scene.partner(side).X_start.translation + Vector3{v * scene.dt, 0, 0};

@@ -42,19 +42,19 @@ struct ContactScene {
     radius_.push_back(type.radius);
     return static_cast<int>(frame.bodies.size()) - 1;
   }
-  int addPartner(PartnerKind kind, const Pose& X, double pusher_mass = 0) {
+  int addPartner(PartnerKind kind, const Pose& X, double mass = 0) {
     ContactPartner partner;
     partner.kind = kind;
     partner.X_start = partner.X_end = X;
-    partner.pusher_mass = pusher_mass;
+    partner.mass = mass;
     frame.partners.push_back(partner);
     return static_cast<int>(frame.partners.size()) - 1;
   }
-  SpherePair& addPair(int body, int partner, const SurfacePair& surface) {
-    SpherePair pair;
+  ContactPair& addPair(int body, int partner, const SurfacePair& surface) {
+    ContactPair pair;
     pair.key = {hashName("ball") + static_cast<std::uint64_t>(body), static_cast<std::uint64_t>(partner) + 10, 0, 0, 0};
-    pair.body = body;
-    pair.partner = partner;
+    pair.a.body = body;
+    pair.b.partner = partner;
     pair.radius = radius_[static_cast<std::size_t>(body)];
     pair.surface = surface;
     frame.pairs.push_back(pair);
@@ -68,9 +68,9 @@ struct ContactScene {
     addPair(body, partner, surface).shape = shape;
   }
   void addBallPair(int a, int b, const SurfacePair& surface) {
-    SpherePair& pair = addPair(a, -1, surface);
+    ContactPair& pair = addPair(a, -1, surface);
     pair.key.name_b = hashName("ball") + static_cast<std::uint64_t>(b);
-    pair.other_body = b;
+    pair.b.body = b;
     pair.shape = makeSphere(radius_[static_cast<std::size_t>(b)]);
   }
 

@@ -107,5 +107,18 @@ TEST(Exchange, APlanThatNobodyUnderstandsIsRefused) {
   }
 }
 
+TEST(Exchange, InTheFrameOfAPlacementDoesNotLoseIt) {
+  for (const int level : {1, 2}) {
+    Walkers one(walkers(1));
+    for (int i = 0; i < 100; ++i) one.frame();
+    one.simulation().interventions().placeRobot(100, one.robot(0), {1.5, -0.8, 0.3});
+    one.simulation().interventions().exchangeLevel(100, one.robot(0), level);
+    for (int i = 0; i < 3; ++i) one.frame();
+    EXPECT_NEAR(one.base(0).translation.x, 1.5, 0.05);
+    EXPECT_NEAR(one.base(0).translation.y, -0.8, 0.05);
+    EXPECT_NEAR(atan2(one.base(0).rotation.x.y, one.base(0).rotation.x.x), 0.3, 0.05);
+  }
+}
+
 }  // namespace
 }  // namespace murosimf::test

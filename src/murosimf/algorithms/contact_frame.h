@@ -2,9 +2,11 @@
 
 /// @file What the pair phase needs to know of one frame, and what it hands back: plain data, filled by a module.
 ///
-/// Free bodies carry spheres. A pair says: this sphere of that free body may touch this shape of a partner (or a
-/// sphere of another free body) in this frame. Pairs that stay apart cost little and change nothing; a pair must be
-/// listed before it touches, because one that appears more than 2 mm deep counts as a teleport.
+/// A pair is one point at which two sides may touch in this frame; a side is a free body or a partner, whose motion is
+/// not the pair phase's. Spheres of free bodies are looked for anew in every substep; points of other shapes are found
+/// once, at the frame's start (`found`), and go on from there with the motion of both sides.
+/// Pairs that stay apart cost little and change nothing. A sphere's pair must be listed before it touches: one that
+/// appears more than 2 mm deep counts as a teleport.
 /// Names are hashName() of the object's full name: order and memory depend on names alone, so adding an object does
 /// not change a bit of contacts that it has no part in.
 
@@ -16,10 +18,11 @@
 #include "murosimf/algorithms/shape.h"
 #include "murosimf/algorithms/sphere_contact.h"
 #include "murosimf/algorithms/surface_pair.h"
+#include "murosimf/math/spatial.h"
 
 namespace murosimf {
 
-/// Identity of a contact from frame to frame. A: the free body (of two, either, but always the same one).
+/// Identity of a contact from frame to frame. A and B: either, but always the same ones.
 struct ContactKey {
   std::uint64_t name_a = 0, name_b = 0;
   std::uint16_t shape_a = 0, shape_b = 0;  ///< number of the shape on its body
@@ -43,59 +46,67 @@ enum class PartnerKind : std::uint8_t {
   kResponsive,  ///< recoils: a body of a robot with dynamics
 };
 
-/// A body that is not free. In the frame it moves straight and turns evenly from X_start to X_end.
+/// A body that is not free. In the frame it moves straight and turns evenly from X_start to X_end; a responsive one
+/// recoils besides, and drifts as what else pushes it changes its velocity.
 struct ContactPartner {
   PartnerKind kind = PartnerKind::kStatic;
-  Pose X_start, X_end;      ///< pose in the world at the frame's start and end; a responsive one's: without the pairs'
-                            ///< impulses of this frame. After a teleport both are the new pose. kStatic: X_start
-  double pusher_mass = 0;   ///< kPrescribed: mass of the whole robot [kg]; caps the force that it gives
-  int responder = -1;       ///< kResponsive: index of its robot in FrameContacts::responders
-  int body = 0;             ///< kResponsive: the robot's own number of this body
-  Vector3 impulse;          ///< out: on the partner, sum over the frame [N s]; / dt is the wrench to hold
-  Vector3 angular_impulse;  ///< out: about X_start.translation [N m s]
+  Pose X_start, X_end;  ///< pose in the world at the frame's start and end, at the velocity of the start: without this
+                        ///< frame's impulses and drift. After a teleport both are the new pose. kStatic: X_start
+  double mass = 0;      ///< kPrescribed: of the whole robot [kg]; caps the force that it gives
+  int responder = -1;   ///< kResponsive: index of its robot in FrameContacts::responders
+  int body = 0;         ///< kResponsive: the robot's own number of this body
+  SpatialMotion<double> drift;   ///< kResponsive: acceleration by all but the pairs, about the responder's reference
+  Vector3 impulse;               ///< out: on the partner, sum over the frame [N s]; / dt is the wrench to hold
+  Vector3 angular_impulse;       ///< out: about X_start.translation [N m s]
+  SpatialMotion<double> recoil;  ///< out, kResponsive: change of motion by the impulses, about the same reference
 };
 
-struct SpherePair {
+struct ContactSide {
+  int body = -1;     ///< in FrameContacts::bodies; -1: a partner
+  int partner = -1;  ///< in FrameContacts::partners; -1: a free body
+};
+
+struct ContactPair {
   ContactKey key;
-  int body = 0;         ///< A in FrameContacts::bodies
-  Vector3 p_BC;         ///< centre of A's sphere on its body [m]
-  double radius = 0;    ///< of A's sphere [m]
-  int partner = -1;     ///< B in FrameContacts::partners; -1: B is other_body
-  bool plane = false;   ///< B is the half-space below z = 0 of X_PS; otherwise `shape`
-  Shape shape;          ///< B's shape
-  Pose X_PS;            ///< its place on the partner; of another free body: translation is the sphere's centre,
-  int other_body = -1;  ///<   shape.half_size.x its radius
+  ContactSide a, b;  ///< the normal points from B to A; not both static or prescribed
   SurfacePair surface;
-  SphereContact contact;  ///< out: as detected last in this frame
+  bool found = false;     ///< `contact` has been found at the frame's start; otherwise A is a free body's sphere:
+  Vector3 p_BC;           ///< its centre on A [m]
+  double radius = 0;      ///< of the sphere; of other shapes how deep they may be pushed in: half their thickness [m]
+  bool plane = false;     ///< B is the half-space below z = 0 of X_PS; otherwise `shape`
+  Shape shape;            ///< B's shape; of another free body a sphere
+  Pose X_PS;              ///< its place on B
+  double share = 1;       ///< of the surfaces' stiffness that this point carries: 1/n of n points
+  SphereContact contact;  ///< in where `found`; out: at the start of the last substep
   Vector3 impulse;        ///< out: on A, sum over the frame [N s]
-  Vector3 moment_B;       ///< out: on B, about its X_start.translation, sum over the frame [N m s]
-  bool touched = false;   ///< out: an impulse passed in this frame
+  Vector3 moment_A, moment_B;  ///< out: on a partner, about its X_start.translation, sum over the frame [N m s]
+  bool touched = false;        ///< out: an impulse passed in this frame
 };
 
-/// A contact point on a body of a robot, world axes.
-struct ResponsePoint {
-  int body = 0;
-  Vector3 p_W;
-};
-
-/// How a robot's own step answers impulses: J H^-1 J^T. H^-1 is that of its motion algorithm (rigid, articulated with
-/// servos); it must not promise more mass than the robot then shows.
+/// How a robot's own step answers impulses: H^-1 of its motion algorithm (rigid, articulated with servos), as the
+/// changes of its bodies' motion. It must not promise more mass than the robot then shows.
+/// Everything of a robot is in world axes, about one point of reference: motion (w; v), impulse (moment; force).
 class Response {
  public:
-  Response() = default;
+  explicit Response(const Vector3& p_WO = {}) : p_WO_(p_WO) {}
   Response(const Response&) = delete;
   Response& operator=(const Response&) = delete;
   virtual ~Response() = default;
-  /// For n points writes the 3n x 3n matrix M, row by row: velocity change of point i along axis a per impulse on
-  /// point j along axis b stands at M[(3 i + a) 3 n + 3 j + b] [1/kg]. Symmetric, positive semidefinite.
-  virtual void respond(std::span<const ResponsePoint> points, std::span<double> matrix) const = 0;
+  const Vector3& reference() const { return p_WO_; }
+  void setReference(const Vector3& p_WO) { p_WO_ = p_WO; }
+  /// For n bodies writes the 6n x 6n matrix M, row by row: change of component a of body i's motion per component b of
+  /// the impulse on body j stands at M[(6 i + a) 6 n + 6 j + b]. Symmetric, positive semidefinite.
+  virtual void respond(std::span<const int> bodies, std::span<double> matrix) const = 0;
+
+ private:
+  Vector3 p_WO_;
 };
 
 struct FrameContacts {
   Vector3 gravity{0, 0, -9.81};  ///< [m/s^2]
   std::vector<FreeBody> bodies;
   std::vector<ContactPartner> partners;
-  std::vector<SpherePair> pairs;  ///< any order; advance() sorts them by key
+  std::vector<ContactPair> pairs;  ///< any order; advance() sorts them by key
   std::vector<const Response*> responders;
 };
 

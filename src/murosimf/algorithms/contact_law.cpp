@@ -127,7 +127,8 @@ Resistance turningResistance(const SurfacePair& pair, double normal_impulse, dou
 
 double pushingForceLimit(double pusher_mass, double ball_mass, double ball_radius, double approach_speed) {
   constexpr double kStandardGravity = 9.80665;
-  return max(0.5 * pusher_mass * kStandardGravity, 1.2 * ball_mass * approach_speed * approach_speed / ball_radius);
+  const double weight = max(0.5 * pusher_mass, 2 * ball_mass) * kStandardGravity;
+  return max(weight, 1.2 * ball_mass * approach_speed * approach_speed / ball_radius);
 }
 
 double limitedImpulse(double impulse, const NormalStep& step, double force_limit, double speed_limit) {

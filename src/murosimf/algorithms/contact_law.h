@@ -50,10 +50,10 @@ Resistance tangentialResistance(const SurfacePair& pair, double normal_impulse);
 Resistance turningResistance(const SurfacePair& pair, double normal_impulse, double radius);
 
 /// Limits of what a body with prescribed motion gives. Its mass is infinite to the contact, its motors are not:
-///     p <= min(h F_cap, (limit - u)/W),   F_cap = max(m g / 2, 1.2 m_b v_in^2 / r),   limit = e v_in
+///     p <= min(h F_cap, (limit - u)/W),   F_cap = max(m g / 2, 2 m_b g, 1.2 m_b v_in^2 / r),   limit = e v_in
 /// m mass of the pusher's robot, m_b and r of the ball, v_in the largest approach speed since the contact began. The
-/// second term of F_cap stops a ball within r/2.4 of a stiff surface (0.7 r of one of 3 kN/m), whatever the kick; the
-/// limit lets no squeezed ball be shot out.
+/// second term carries a robot that fell on the pusher; the third stops a ball within r/2.4 of a stiff surface (0.7 r
+/// of one of 3 kN/m), whatever the kick; the limit lets no squeezed ball be shot out.
 double pushingForceLimit(double pusher_mass, double ball_mass, double ball_radius, double approach_speed);
 /// min(p, h f, max(0, (limit - u)/W)).
 double limitedImpulse(double impulse, const NormalStep& step, double force_limit, double speed_limit);

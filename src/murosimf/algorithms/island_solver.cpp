@@ -14,46 +14,35 @@ Vector3 pointAfter(const FreeBody& b, const Vector3& p_W, const Vector3& gravity
 
 }  // namespace
 
-PartnerPath pathOf(const ContactPartner& partner, double dt) {
-  if (partner.kind == PartnerKind::kStatic || partner.X_start == partner.X_end) return {};
-  const Rotation3 turn = partner.X_end.rotation * transposed(partner.X_start.rotation);
-  return {(partner.X_end.translation - partner.X_start.translation) * (1 / dt), rotationLog(turn) * (1 / dt)};
-}
-
-Pose PartnerPath::at(const ContactPartner& partner, double t) const {
-  if (partner.kind == PartnerKind::kStatic || t == 0) return partner.X_start;
-  const bool turns = !(angular_velocity == Vector3{});
-  const Rotation3& R = partner.X_start.rotation;
-  return {turns ? rotationExp(angular_velocity * t) * R : R, partner.X_start.translation + velocity * t};
-}
-
 // ---------------------------------------------------------------------------------------------- frame
 
 void IslandSolver::reserve(std::size_t bodies, std::size_t pairs) {
   starts_.reserve(bodies);
   parents_.reserve(2 * bodies + pairs);
-  paths_.reserve(pairs);
+  partners_.reserve(2 * pairs);
+  members_.reserve(2 * pairs), asked_.reserve(2 * pairs), groups_.reserve(2 * pairs);
   contacts_.reserve(pairs);
-  points_.reserve(pairs);
-  responses_.reserve(9 * pairs * std::min<std::size_t>(pairs, 32));
+  responses_.reserve(36 * pairs * std::min<std::size_t>(pairs, 32));
 }
 
 void IslandSolver::advance(FrameContacts& frame, std::span<KeptContact> kept, double dt) {
   frame_ = &frame;
   kept_ = kept;
-  paths_.clear();
-  for (const ContactPartner& partner : frame.partners) paths_.push_back(pathOf(partner, dt));
+  partners_.clear();
+  for (ContactPartner& partner : frame.partners) {
+    partner.recoil = {};
+    partners_.emplace_back().path = pathOf(partner, dt);
+  }
   findContacts(dt);
   findIslands();
   starts_.assign(frame.bodies.size(), {});
   auto first = contacts_.begin();
-  for (std::size_t body = 0; body < frame.bodies.size(); ++body) {
-    const int island = static_cast<int>(body);
-    if (rootOf(island) != island) continue;
+  for (int node = 0; node < static_cast<int>(parents_.size()); ++node) {
+    if (rootOf(node) != node) continue;
     // contacts_ is sorted by island, and islands are visited in the same order.
-    const auto last = std::find_if(first, contacts_.end(), [&](const WorkContact& c) { return c.island != island; });
+    const auto last = std::find_if(first, contacts_.end(), [&](const WorkContact& c) { return c.island != node; });
     island_ = std::span<WorkContact>(first, last);
-    advanceIsland(island, dt);
+    if (node < static_cast<int>(frame.bodies.size()) || !island_.empty()) advanceIsland(node, dt);
     first = last;
   }
 }
@@ -66,7 +55,7 @@ void IslandSolver::findContacts(double dt) {
   for (std::size_t i = 0; i < frame_->pairs.size(); ++i) {
     WorkContact c;
     c.pair = static_cast<int>(i);
-    const SpherePair& pair = frame_->pairs[i];
+    const ContactPair& pair = frame_->pairs[i];
     place(c, 0);
     flagOverlap(c);
     const double depth = pair.contact.depth;
@@ -81,11 +70,12 @@ void IslandSolver::findContacts(double dt) {
 
 /// Depth at the frame's end if no contact acted.
 double IslandSolver::depthAfter(const WorkContact& c, double dt) const {
-  const SpherePair& pair = pairOf(c);
-  const FreeBody& a = bodyA(c);
+  const ContactPair& pair = pairOf(c);
+  if (pair.found) return pair.contact.depth - dt * dot(pair.contact.normal, relativeVelocity(c));
+  const FreeBody& a = *bodyOf(pair.a);
   const Vector3 p_WC = pointAfter(a, a.X_WB * pair.p_BC, frame_->gravity, dt);
-  const FreeBody* b = bodyB(c);
-  if (!b) return detectSphere(pair, p_WC, paths_[index(pair.partner)].at(*partnerOf(c), dt)).depth;
+  const FreeBody* b = bodyOf(pair.b);
+  if (!b) return detectSphere(pair, p_WC, poseOf(pair.b, dt)).depth;
   const Vector3 p_WD = pointAfter(*b, b->X_WB * pair.X_PS.translation, frame_->gravity, dt);
   return sphereAgainstSphere(p_WC, pair.radius, p_WD, pair.shape.half_size.x).depth;
 }
@@ -96,31 +86,37 @@ void IslandSolver::flagOverlap(const WorkContact& c) {
   if (pairOf(c).contact.depth > max(kept.depth, 0.0) + settings_.overlap_tolerance) kept.overlapped = 1;
 }
 
-int IslandSolver::rootOf(int node) {
+/// What can be moved by impulses: a free body or a robot that recoils; -1 for all else.
+int IslandSolver::nodeOf(const ContactSide& side) const {
+  if (side.body >= 0) return side.body;
+  const ContactPartner& partner = *partnerOf(side);
+  const bool recoils = partner.kind == PartnerKind::kResponsive;
+  return recoils ? static_cast<int>(frame_->bodies.size()) + partner.responder : -1;
+}
+int IslandSolver::rootOf(int node) const {
   while (parents_[index(node)] != node) node = parents_[index(node)];
   return node;
 }
 void IslandSolver::unite(int a, int b) {
   const auto [first, last] = std::minmax({rootOf(a), rootOf(b)});
-  parents_[index(last)] = first;  // a body is the root, never a responder
+  parents_[index(last)] = first;
 }
 
 void IslandSolver::findIslands() {
-  const int bodies = static_cast<int>(frame_->bodies.size());
   parents_.resize(frame_->bodies.size() + frame_->responders.size());
   for (std::size_t i = 0; i < parents_.size(); ++i) parents_[i] = static_cast<int>(i);
   for (const WorkContact& c : contacts_) {
-    if (!c.touches) continue;
-    const ContactPartner* partner = partnerOf(c);
-    if (!partner) unite(pairOf(c).body, pairOf(c).other_body);
-    if (partner && partner->kind == PartnerKind::kResponsive) unite(pairOf(c).body, bodies + partner->responder);
+    const int a = nodeOf(pairOf(c).a), b = nodeOf(pairOf(c).b);
+    if (c.touches && a >= 0 && b >= 0) unite(a, b);
   }
-  for (WorkContact& c : contacts_) c.island = rootOf(pairOf(c).body);
-  // Two free bodies that do not touch advance apart, each at its own time: their pair waits for a frame in which they
-  // do.
+  for (WorkContact& c : contacts_) {
+    const int a = nodeOf(pairOf(c).a), b = nodeOf(pairOf(c).b);
+    c.island = rootOf(a >= 0 ? a : b);
+  }
+  // Two sides that do not touch advance apart, each at its own time: their pair waits for a frame in which they do.
   std::erase_if(contacts_, [&](const WorkContact& c) {
-    const SpherePair& pair = pairOf(c);
-    return pair.partner < 0 && rootOf(pair.other_body) != c.island;
+    const int b = nodeOf(pairOf(c).b);
+    return b >= 0 && rootOf(b) != c.island;
   });
   std::sort(contacts_.begin(), contacts_.end(), [](const WorkContact& a, const WorkContact& b) {
     return a.island != b.island ? a.island < b.island : a.pair < b.pair;
@@ -134,48 +130,63 @@ void IslandSolver::advanceIsland(int island, double dt) {
   const int substeps = substepsOf(dt);
   const double h = dt / substeps;
   for (int i = 0; i < substeps; ++i) substep(island, h * i, h);
+  handOutRecoil(dt);
 }
 
 void IslandSolver::askResponses() {
-  responses_.clear();
-  for (std::size_t i = 0; i < island_.size(); ++i) {
-    const ContactPartner* partner = partnerOf(island_[i]);
-    if (partner && partner->kind == PartnerKind::kResponsive && island_[i].rows == 0) askResponse(static_cast<int>(i));
+  responses_.clear(), groups_.clear(), members_.clear();
+  for (const WorkContact& c : island_) {
+    for (const ContactSide& side : {pairOf(c).a, pairOf(c).b}) {
+      const ContactPartner* partner = partnerOf(side);
+      const bool recoils = partner != nullptr && partner->kind == PartnerKind::kResponsive;
+      if (recoils && partners_[index(side.partner)].group < 0) askResponse(partner->responder);
+    }
   }
 }
 
-/// One matrix for all contacts of the island with the robot of its contact `first`.
-void IslandSolver::askResponse(int first) {
-  const int responder = partnerOf(island_[index(first)])->responder;
-  const auto belongs = [&](const WorkContact& c) {
-    const ContactPartner* partner = partnerOf(c);
-    return partner && partner->kind == PartnerKind::kResponsive && partner->responder == responder;
-  };
-  const int matrix = static_cast<int>(responses_.size());
-  points_.clear();
-  for (WorkContact& c : island_) {
-    if (!belongs(c)) continue;
-    c.matrix = matrix;
-    c.row = static_cast<int>(points_.size());
-    points_.push_back({partnerOf(c)->body, pairOf(c).contact.point});
+/// One matrix for all bodies of a robot that take part in the island.
+void IslandSolver::askResponse(int responder) {
+  const Response& response = *frame_->responders[index(responder)];
+  RecoilGroup group{responder, static_cast<int>(members_.size()), 0, responses_.size(), response.reference()};
+  asked_.clear();
+  for (const WorkContact& c : island_) {
+    for (const ContactSide& side : {pairOf(c).a, pairOf(c).b}) {
+      const ContactPartner* partner = partnerOf(side);
+      if (partner == nullptr || partner->responder != responder) continue;
+      WorkPartner& work = partners_[index(side.partner)];
+      if (work.group >= 0) continue;
+      work.group = static_cast<int>(groups_.size());
+      work.row = group.count++;
+      members_.push_back(side.partner);
+      asked_.push_back(partner->body);
+    }
   }
-  for (WorkContact& c : island_)
-    if (belongs(c)) c.rows = static_cast<int>(points_.size());
-  responses_.resize(responses_.size() + 9 * points_.size() * points_.size());
-  frame_->responders[index(responder)]->respond(points_, std::span(responses_).subspan(index(matrix)));
+  groups_.push_back(group);
+  responses_.resize(responses_.size() + 36 * asked_.size() * asked_.size());
+  response.respond(asked_, std::span(responses_).subspan(group.matrix));
 }
 
-int IslandSolver::substepsOf(double dt) const {
+/// Free bodies alone ask for them: robots advance by whole frames.
+int IslandSolver::substepsOf(double dt) {
   double largest = 0;
   for (WorkContact& c : island_) {
-    if (!c.touches) continue;
+    const ContactPair& pair = pairOf(c);
+    if (!c.touches || (pair.a.body < 0 && pair.b.body < 0)) continue;
+    place(c, 0);
     computeResponses(c);
-    largest = max(largest, pairOf(c).surface.stiffness * c.response_n);
+    largest = max(largest, pair.surface.stiffness * pair.share * c.response_n);
   }
   const double wanted = dt * sqrt(largest) / settings_.largest_phase;
   for (int n = 1; n < settings_.most_substeps; ++n)
     if (n >= wanted) return n;
   return settings_.most_substeps;
+}
+
+void IslandSolver::handOutRecoil(double dt) {
+  for (const int member : members_) {
+    ContactPartner& partner = frame_->partners[index(member)];
+    partner.recoil = partners_[index(member)].change - partner.drift * dt;
+  }
 }
 
 }  // namespace murosimf

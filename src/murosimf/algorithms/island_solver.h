@@ -1,41 +1,58 @@
 #pragma once
 
-/// @file Substeps of free bodies that touch one another, directly or through a robot that recoils: an island.
+/// @file Substeps of sides that touch one another, directly or through a robot that recoils: an island.
 ///
-/// Used by PairSolver alone; pair_solver.h tells the method. A contact's response: W n = M_A n + M_B n,
-/// M = E/m - [r]x I^-1 [r]x for a free body, 0 for what moves by prescription, the robot's own matrix for what recoils.
+/// Used by PairSolver alone; pair_solver.h tells the method. A contact's response is the change K p of the relative
+/// velocity at its point by the impulse p there, of both sides: E/m - [r]x I^-1 [r]x for a free body, 0 for what moves
+/// by prescription, that of the robot's own matrix for what recoils.
 
 #include "murosimf/algorithms/contact_law.h"
 #include "murosimf/algorithms/free_body_motion.h"
 #include "murosimf/algorithms/pair_solver.h"
+#include "murosimf/algorithms/partner_path.h"
 
 namespace murosimf {
 
-/// Velocity of a partner on its path: straight, evenly turning.
-struct PartnerPath {
-  Vector3 velocity, angular_velocity;  ///< of its origin; world axes
-  Pose at(const ContactPartner& partner, double t) const;
-};
-PartnerPath pathOf(const ContactPartner& partner, double dt);
+/// Sphere A of a pair, its centre at p_WC, against B at the pose X_WB of its body.
+SphereContact detectSphere(const ContactPair& pair, const Vector3& p_WC, const Pose& X_WB);
 
-/// Sphere A of a pair, its centre at p_WC, against B at the pose X_WP of its body.
-SphereContact detectSphere(const SpherePair& pair, const Vector3& p_WC, const Pose& X_WP);
+/// A partner in this frame.
+struct WorkPartner {
+  PartnerPath path;
+  int group = -1;  ///< of what recoils; -1: it does not
+  int row = 0;     ///< among the bodies of its group
+  // By impulses and drift, about the group's reference:
+  SpatialMotion<double> change, start;  ///< of its motion since the frame's start, and at the substep's start
+  SpatialMotion<double> shift;          ///< displacement since the frame's start
+};
+
+/// Bodies of one robot that recoil together.
+struct RecoilGroup {
+  int responder = 0;
+  int first = 0, count = 0;  ///< its partners among members_
+  std::size_t matrix = 0;    ///< where it begins in responses_
+  Vector3 p_WO;              ///< reference
+};
+
+/// One side of a contact.
+struct WorkSide {
+  Vector3 arm;            ///< from the centre of mass (partner: from its origin) to the point
+  Vector3 lever;          ///< from the reference of what recoils to the point
+  Vector3 path_velocity;  ///< of a partner's point without recoil
+};
 
 /// Work of one pair in this frame.
 struct WorkContact {
-  int pair = 0;            ///< index in FrameContacts::pairs, and of its KeptContact
-  int island = 0;          ///< representative of the group that advances together
-  bool active = false;     ///< near enough to touch in this substep
-  bool touches = false;    ///< touches at the frame's start or would at its end
-  Vector3 arm_a, arm_b;    ///< from the centres of mass (partner: from its origin) to the point
-  Vector3 velocity_b;      ///< of a partner's point without recoil
-  double start_speed = 0;  ///< u_0
+  int pair = 0;          ///< index in FrameContacts::pairs, and of its KeptContact
+  int island = 0;        ///< representative of the group that advances together
+  bool active = false;   ///< near enough to touch in this substep
+  bool touches = false;  ///< touches at the frame's start or would at its end
+  WorkSide a, b;
+  Rotation3 response;                                     ///< K, by columns
+  double start_speed = 0;                                 ///< u_0
   double response_n = 0, response_t = 0, response_w = 0;  ///< W along n, largest across n, of turning
   double p_n = 0;                                         ///< impulses of this substep, on A
   Vector3 p_t, p_w;
-  Vector3 recoil, recoil_start, recoil_shift;  ///< a responsive partner's point since the frame's start: velocity,
-                                               ///< velocity at the substep's start, displacement
-  int matrix = 0, row = 0, rows = 0;           ///< where its robot's matrix begins; its block row there, of so many
 };
 
 class IslandSolver {
@@ -51,19 +68,23 @@ class IslandSolver {
   void findContacts(double dt);
   double depthAfter(const WorkContact& c, double dt) const;
   void findIslands();
-  int rootOf(int node);
+  int nodeOf(const ContactSide& side) const;
+  int rootOf(int node) const;
   void unite(int a, int b);
   void flagOverlap(const WorkContact& c);
 
   // Once per island and frame.
   void advanceIsland(int island, double dt);
   void askResponses();
-  void askResponse(int first);
-  int substepsOf(double dt) const;
+  void askResponse(int responder);
+  int substepsOf(double dt);
+  void handOutRecoil(double dt);
 
   // Per substep, in island_substep.cpp; contacts are those of island_.
   void substep(int island, double t, double h);
   void place(WorkContact& c, double t) const;
+  void placeSide(const ContactSide& side, const Vector3& point, const Vector3& origin, WorkSide& work) const;
+  Pose poseOf(const ContactSide& side, double t) const;
   void prepare(WorkContact& c, double h);
   void computeResponses(WorkContact& c) const;
   void warmStart(WorkContact& c, double h);
@@ -71,28 +92,34 @@ class IslandSolver {
   double limited(const WorkContact& c, double impulse, const NormalStep& step) const;
   void book(WorkContact& c, double h);
 
-  SpherePair& pairOf(const WorkContact& c) const { return frame_->pairs[static_cast<std::size_t>(c.pair)]; }
+  ContactPair& pairOf(const WorkContact& c) const { return frame_->pairs[static_cast<std::size_t>(c.pair)]; }
   KeptContact& keptOf(const WorkContact& c) const { return kept_[static_cast<std::size_t>(c.pair)]; }
-  FreeBody& bodyA(const WorkContact& c) const { return frame_->bodies[static_cast<std::size_t>(pairOf(c).body)]; }
-  FreeBody* bodyB(const WorkContact& c) const;
-  const ContactPartner* partnerOf(const WorkContact& c) const;
+  FreeBody* bodyOf(const ContactSide& side) const;
+  const ContactPartner* partnerOf(const ContactSide& side) const;
+  bool isPrescribed(const ContactSide& side) const;
+  double massOf(const ContactSide& side) const;
+  Vector3 velocityOf(const ContactSide& side, const WorkSide& work) const;
+  Vector3 turningOf(const ContactSide& side) const;
   Vector3 relativeVelocity(const WorkContact& c) const;
-  Vector3 relativeTurning(const WorkContact& c) const;
-  Vector3 responseTo(const WorkContact& c, const Vector3& impulse) const;
-  Vector3 recoilOf(const WorkContact& c, const WorkContact& source, const Vector3& impulse) const;
-  void give(const WorkContact& c, const Vector3& impulse);
-  void giveTurning(const WorkContact& c, const Vector3& angular_impulse);
+  Vector3 responseOf(const ContactSide& side, const WorkSide& work, const Vector3& impulse) const;
+  Vector3 crossResponse(const WorkContact& c, const Vector3& impulse) const;
+  double turningResponse(const ContactSide& side) const;
+  SpatialMotion<double> recoilOf(const WorkPartner& moved, const WorkPartner& pushed,
+                                 const SpatialForce<double>& impulse) const;
+  void give(const WorkContact& c, const Vector3& impulse, const Vector3& angular_impulse);
+  void giveTo(const ContactSide& side, const WorkSide& work, const Vector3& impulse, const Vector3& angular_impulse);
 
   PairSolver::Settings settings_;
   FrameContacts* frame_ = nullptr;  // of the call of advance()
   std::span<KeptContact> kept_;
   std::span<WorkContact> island_;
-  std::vector<PartnerPath> paths_;
+  std::vector<WorkPartner> partners_;
   std::vector<WorkContact> contacts_;
   std::vector<MotionStart> starts_;  // per body
   std::vector<int> parents_;         // union-find over bodies, then responders
-  std::vector<ResponsePoint> points_;
-  std::vector<double> responses_;  // 3n x 3n of every group of the island, one after another
+  std::vector<RecoilGroup> groups_;  // of the island
+  std::vector<int> members_, asked_;
+  std::vector<double> responses_;  // 6n x 6n of every group, one after another
 };
 
 }  // namespace murosimf

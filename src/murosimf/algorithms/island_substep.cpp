@@ -16,49 +16,114 @@ double largestInverse(const Vector3& inertia) { return 1 / min(inertia.x, min(in
 
 }  // namespace
 
-FreeBody* IslandSolver::bodyB(const WorkContact& c) const {
-  const SpherePair& pair = pairOf(c);
-  return pair.partner < 0 ? &frame_->bodies[index(pair.other_body)] : nullptr;
+// ---------------------------------------------------------------------------------------------- sides
+
+FreeBody* IslandSolver::bodyOf(const ContactSide& side) const {
+  return side.body < 0 ? nullptr : &frame_->bodies[index(side.body)];
 }
-const ContactPartner* IslandSolver::partnerOf(const WorkContact& c) const {
-  const SpherePair& pair = pairOf(c);
-  return pair.partner < 0 ? nullptr : &frame_->partners[index(pair.partner)];
+const ContactPartner* IslandSolver::partnerOf(const ContactSide& side) const {
+  return side.partner < 0 ? nullptr : &frame_->partners[index(side.partner)];
+}
+bool IslandSolver::isPrescribed(const ContactSide& side) const {
+  const ContactPartner* partner = partnerOf(side);
+  return partner != nullptr && partner->kind == PartnerKind::kPrescribed;
+}
+double IslandSolver::massOf(const ContactSide& side) const {
+  return side.body < 0 ? partnerOf(side)->mass : bodyOf(side)->mass;
+}
+
+Pose IslandSolver::poseOf(const ContactSide& side, double t) const {
+  if (const FreeBody* body = bodyOf(side)) return body->X_WB;
+  const WorkPartner& work = partners_[index(side.partner)];
+  Pose X_WP = work.path.at(*partnerOf(side), t);
+  if (work.group < 0) return X_WP;
+  const Vector3 lever = X_WP.translation - groups_[index(work.group)].p_WO;
+  X_WP.translation += work.shift.v + cross(work.shift.w, lever);
+  X_WP.rotation = rotationExp(work.shift.w) * X_WP.rotation;
+  return X_WP;
+}
+
+Vector3 IslandSolver::velocityOf(const ContactSide& side, const WorkSide& work) const {
+  if (const FreeBody* body = bodyOf(side)) return pointVelocity(*body, work.arm);
+  const WorkPartner& partner = partners_[index(side.partner)];
+  if (partner.group < 0) return work.path_velocity;
+  return work.path_velocity + partner.change.v + cross(partner.change.w, work.lever);
+}
+Vector3 IslandSolver::turningOf(const ContactSide& side) const {
+  if (const FreeBody* body = bodyOf(side)) return body->angular_velocity;
+  const WorkPartner& partner = partners_[index(side.partner)];
+  return partner.path.angular_velocity + partner.change.w;
 }
 Vector3 IslandSolver::relativeVelocity(const WorkContact& c) const {
-  const FreeBody* b = bodyB(c);
-  return pointVelocity(bodyA(c), c.arm_a) - (b ? pointVelocity(*b, c.arm_b) : c.velocity_b + c.recoil);
+  return velocityOf(pairOf(c).a, c.a) - velocityOf(pairOf(c).b, c.b);
 }
-Vector3 IslandSolver::relativeTurning(const WorkContact& c) const {
-  const FreeBody* b = bodyB(c);
-  return bodyA(c).angular_velocity - (b ? b->angular_velocity : paths_[index(pairOf(c).partner)].angular_velocity);
-}
-/// Velocity change of c's point on its robot by an impulse on the robot at the source's point.
-Vector3 IslandSolver::recoilOf(const WorkContact& c, const WorkContact& source, const Vector3& impulse) const {
-  Vector3 result;
-  for (int a = 0; a < 3; ++a) {
-    const double* row = &responses_[index(c.matrix + (3 * c.row + a) * 3 * c.rows + 3 * source.row)];
-    result[a] = dot(Vector3{row[0], row[1], row[2]}, impulse);
+
+/// Change of a body's motion by an impulse on a body of the same robot.
+SpatialMotion<double> IslandSolver::recoilOf(const WorkPartner& moved, const WorkPartner& pushed,
+                                             const SpatialForce<double>& impulse) const {
+  const RecoilGroup& group = groups_[index(moved.group)];
+  const std::size_t width = 6 * index(group.count);
+  const double* row = &responses_[group.matrix + 6 * index(moved.row) * width + 6 * index(pushed.row)];
+  SpatialMotion<double> result;
+  for (int a = 0; a < 3; ++a, row += width) {
+    result.w[a] = dot(Vector3{row[0], row[1], row[2]}, impulse.n) + dot(Vector3{row[3], row[4], row[5]}, impulse.f);
+  }
+  for (int a = 0; a < 3; ++a, row += width) {
+    result.v[a] = dot(Vector3{row[0], row[1], row[2]}, impulse.n) + dot(Vector3{row[3], row[4], row[5]}, impulse.f);
   }
   return result;
 }
-/// Change of the relative velocity at c by an impulse there, on A and against B.
-Vector3 IslandSolver::responseTo(const WorkContact& c, const Vector3& impulse) const {
-  Vector3 result = pointResponse(bodyA(c), c.arm_a, impulse);
-  if (const FreeBody* b = bodyB(c)) result += pointResponse(*b, c.arm_b, impulse);
-  if (c.rows > 0) result += recoilOf(c, c, impulse);
-  return result;
+
+/// Velocity change of the side's point by an impulse there.
+Vector3 IslandSolver::responseOf(const ContactSide& side, const WorkSide& work, const Vector3& impulse) const {
+  if (const FreeBody* body = bodyOf(side)) return pointResponse(*body, work.arm, impulse);
+  const WorkPartner& partner = partners_[index(side.partner)];
+  if (partner.group < 0) return {};
+  const SpatialMotion<double> change = recoilOf(partner, partner, {cross(work.lever, impulse), impulse});
+  return change.v + cross(change.w, work.lever);
 }
-void IslandSolver::give(const WorkContact& c, const Vector3& impulse) {
-  applyImpulse(bodyA(c), c.arm_a, impulse);
-  if (FreeBody* b = bodyB(c)) applyImpulse(*b, c.arm_b, -impulse);
-  if (c.rows == 0) return;
-  for (WorkContact& other : island_)
-    if (other.rows > 0 && other.matrix == c.matrix) other.recoil -= recoilOf(other, c, impulse);
+/// Where a robot touches itself each side also moves by the impulse on the other one.
+Vector3 IslandSolver::crossResponse(const WorkContact& c, const Vector3& impulse) const {
+  const ContactPair& pair = pairOf(c);
+  if (pair.a.partner < 0 || pair.b.partner < 0) return {};
+  const WorkPartner &a = partners_[index(pair.a.partner)], &b = partners_[index(pair.b.partner)];
+  if (a.group < 0 || a.group != b.group) return {};
+  const SpatialMotion<double> change_a = recoilOf(a, b, {cross(c.b.lever, impulse), impulse});
+  const SpatialMotion<double> change_b = recoilOf(b, a, {cross(c.a.lever, impulse), impulse});
+  return -(change_a.v + cross(change_a.w, c.a.lever)) - (change_b.v + cross(change_b.w, c.b.lever));
 }
-void IslandSolver::giveTurning(const WorkContact& c, const Vector3& angular_impulse) {
-  applyAngularImpulse(bodyA(c), angular_impulse);
-  if (FreeBody* b = bodyB(c)) applyAngularImpulse(*b, -angular_impulse);
+/// No smaller than what any direction of turning gives.
+double IslandSolver::turningResponse(const ContactSide& side) const {
+  if (const FreeBody* body = bodyOf(side)) return largestInverse(body->inertia);
+  const WorkPartner& partner = partners_[index(side.partner)];
+  if (partner.group < 0) return 0;
+  const RecoilGroup& group = groups_[index(partner.group)];
+  const std::size_t width = 6 * index(group.count);
+  const double* diagonal = &responses_[group.matrix + 6 * index(partner.row) * (width + 1)];
+  return diagonal[0] + diagonal[width + 1] + diagonal[2 * (width + 1)];
 }
+
+void IslandSolver::giveTo(const ContactSide& side, const WorkSide& work, const Vector3& impulse,
+                          const Vector3& angular_impulse) {
+  if (FreeBody* body = bodyOf(side)) {
+    applyImpulse(*body, work.arm, impulse);
+    return applyAngularImpulse(*body, angular_impulse);
+  }
+  const WorkPartner& pushed = partners_[index(side.partner)];
+  if (pushed.group < 0) return;
+  const RecoilGroup& group = groups_[index(pushed.group)];
+  const SpatialForce<double> wrench{cross(work.lever, impulse) + angular_impulse, impulse};
+  for (int i = 0; i < group.count; ++i) {
+    WorkPartner& moved = partners_[index(members_[index(group.first + i)])];
+    moved.change += recoilOf(moved, pushed, wrench);
+  }
+}
+void IslandSolver::give(const WorkContact& c, const Vector3& impulse, const Vector3& angular_impulse) {
+  giveTo(pairOf(c).a, c.a, impulse, angular_impulse);
+  giveTo(pairOf(c).b, c.b, -impulse, -angular_impulse);
+}
+
+// -------------------------------------------------------------------------------------------- substep
 
 void IslandSolver::substep(int island, double t, double h) {
   const auto inIsland = [&](std::size_t body) { return rootOf(static_cast<int>(body)) == island; };
@@ -73,6 +138,11 @@ void IslandSolver::substep(int island, double t, double h) {
     body.velocity += (frame_->gravity + body.force_W * (1 / body.mass)) * h;
     applyAngularImpulse(body, body.torque_W * h);
   }
+  for (const int member : members_) {
+    WorkPartner& partner = partners_[index(member)];
+    partner.start = partner.change;
+    partner.change += frame_->partners[index(member)].drift * h;
+  }
   for (WorkContact& c : island_)
     if (c.active) warmStart(c, h);
   for (int sweep = 0; sweep < settings_.sweeps; ++sweep)
@@ -81,36 +151,43 @@ void IslandSolver::substep(int island, double t, double h) {
   for (WorkContact& c : island_) book(c, h);
   for (std::size_t i = 0; i < frame_->bodies.size(); ++i)
     if (inIsland(i)) advancePose(frame_->bodies[i], starts_[i], h);
+  for (const int member : members_) {
+    WorkPartner& partner = partners_[index(member)];
+    partner.shift += (partner.start + partner.change) * (0.5 * h);
+  }
 }
 
-SphereContact detectSphere(const SpherePair& pair, const Vector3& p_WC, const Pose& X_WP) {
-  if (pair.partner < 0)
-    return sphereAgainstSphere(p_WC, pair.radius, X_WP * pair.X_PS.translation, pair.shape.half_size.x);
-  const Pose X_WS = X_WP * pair.X_PS;
+SphereContact detectSphere(const ContactPair& pair, const Vector3& p_WC, const Pose& X_WB) {
+  if (pair.b.body >= 0)
+    return sphereAgainstSphere(p_WC, pair.radius, X_WB * pair.X_PS.translation, pair.shape.half_size.x);
+  const Pose X_WS = X_WB * pair.X_PS;
   return pair.plane ? sphereAgainstPlane(p_WC, pair.radius, X_WS)
                     : sphereAgainstShape(p_WC, pair.radius, pair.shape, X_WS);
 }
 
-/// Detects the contact with everything at its place at time t of the frame.
+/// Detects a sphere's contact with everything at its place at time t of the frame. Points found at the frame's start
+/// stay where they are; how deep they are, book() tells.
 void IslandSolver::place(WorkContact& c, double t) const {
-  SpherePair& pair = pairOf(c);
-  const FreeBody& a = bodyA(c);
-  const FreeBody* b = bodyB(c);
-  Pose X_WP = b ? b->X_WB : paths_[index(pair.partner)].at(*partnerOf(c), t);
-  X_WP.translation += c.recoil_shift;
-  pair.contact = detectSphere(pair, a.X_WB * pair.p_BC, X_WP);
-  c.arm_a = pair.contact.point - a.X_WB.translation;
-  c.arm_b = pair.contact.point - X_WP.translation;
-  if (b) return;
-  const PartnerPath& path = paths_[index(pair.partner)];
-  c.velocity_b = path.velocity + cross(path.angular_velocity, c.arm_b);
+  ContactPair& pair = pairOf(c);
+  if (pair.found && t > 0) return;
+  const Pose X_WA = poseOf(pair.a, t), X_WB = poseOf(pair.b, t);
+  if (!pair.found) pair.contact = detectSphere(pair, X_WA * pair.p_BC, X_WB);
+  placeSide(pair.a, pair.contact.point, X_WA.translation, c.a);
+  placeSide(pair.b, pair.contact.point, X_WB.translation, c.b);
+}
+void IslandSolver::placeSide(const ContactSide& side, const Vector3& point, const Vector3& origin,
+                             WorkSide& work) const {
+  work.arm = point - origin;
+  if (side.partner < 0) return;
+  const WorkPartner& partner = partners_[index(side.partner)];
+  work.path_velocity = partner.path.velocity + cross(partner.path.angular_velocity, work.arm);
+  if (partner.group >= 0) work.lever = point - groups_[index(partner.group)].p_WO;
 }
 
 /// Start speed, responses, approach speed; decides whether the contact can act in this substep.
 void IslandSolver::prepare(WorkContact& c, double h) {
-  const SpherePair& pair = pairOf(c);
+  const ContactPair& pair = pairOf(c);
   KeptContact& kept = keptOf(c);
-  c.recoil_start = c.recoil;
   const Vector3 u = relativeVelocity(c);
   const double reach = h * (norm(u) + h * norm(frame_->gravity));
   c.active = pair.contact.depth > -reach;
@@ -122,16 +199,20 @@ void IslandSolver::prepare(WorkContact& c, double h) {
 }
 
 void IslandSolver::computeResponses(WorkContact& c) const {
-  const Vector3& n = pairOf(c).contact.normal;
-  c.response_n = dot(n, responseTo(c, n));
+  const ContactPair& pair = pairOf(c);
+  const auto responseTo = [&](const Vector3& impulse) {
+    return responseOf(pair.a, c.a, impulse) + responseOf(pair.b, c.b, impulse) + crossResponse(c, impulse);
+  };
+  c.response = {responseTo({1, 0, 0}), responseTo({0, 1, 0}), responseTo({0, 0, 1})};
+  const Vector3& n = pair.contact.normal;
+  c.response_n = dot(n, c.response * n);
   Vector3 t, s;
   tangentsOf(n, t, s);
-  const Vector3 by_t = responseTo(c, t), by_s = responseTo(c, s);
+  const Vector3 by_t = c.response * t, by_s = c.response * s;
   const double tt = dot(t, by_t), ss = dot(s, by_s), ts = dot(s, by_t);
   const double half = 0.5 * (tt - ss);
   c.response_t = 0.5 * (tt + ss) + sqrt(half * half + ts * ts);
-  const FreeBody* b = bodyB(c);
-  c.response_w = largestInverse(bodyA(c).inertia) + (b ? largestInverse(b->inertia) : 0.0);
+  c.response_w = turningResponse(pair.a) + turningResponse(pair.b);
 }
 
 void IslandSolver::warmStart(WorkContact& c, double h) {
@@ -140,53 +221,56 @@ void IslandSolver::warmStart(WorkContact& c, double h) {
   c.p_n = kept.normal_force * h;
   c.p_t = (kept.friction_force - n * dot(n, kept.friction_force)) * h;
   c.p_w = kept.turning_torque * h;
-  give(c, n * c.p_n + c.p_t);
-  giveTurning(c, c.p_w);
+  give(c, n * c.p_n + c.p_t, c.p_w);
 }
 
 /// One visit of Gauss-Seidel: each of the contact's impulses is solved anew, its own last value taken out.
 void IslandSolver::relax(WorkContact& c, double h) {
-  const SpherePair& pair = pairOf(c);
+  const ContactPair& pair = pairOf(c);
   const Vector3& n = pair.contact.normal;
-  NormalStep step{pair.contact.depth, c.start_speed, 0, c.response_n, h, pair.surface.stiffness, c.p_n};
-  step.end_speed = fnma(c.response_n, c.p_n, dot(n, relativeVelocity(c)));
+  Vector3 u = relativeVelocity(c);
+  NormalStep step{pair.contact.depth, c.start_speed, 0, c.response_n, h, pair.surface.stiffness * pair.share, c.p_n};
+  step.end_speed = fnma(c.response_n, c.p_n, dot(n, u));
   const double p_n = limited(c, normalImpulse(step, pair.surface), step);
-  give(c, n * (p_n - c.p_n));
+  const Vector3 normal_change = n * (p_n - c.p_n);
   c.p_n = p_n;
 
-  const Vector3 u = relativeVelocity(c);
+  u += c.response * normal_change;
   const Vector3 u_t = u - n * dot(n, u) - c.p_t * c.response_t;
   const Vector3 p_t = resistanceImpulse(u_t, c.response_t, tangentialResistance(pair.surface, p_n));
-  give(c, p_t - c.p_t);
+  const Vector3 tangential_change = p_t - c.p_t;
   c.p_t = p_t;
 
-  const Resistance turning = turningResistance(pair.surface, p_n, pair.radius);
-  if (pair.surface.rolling_resistance <= 0 && pair.surface.turning_friction <= 0) return;
-  const Vector3 p_w = resistanceImpulse(relativeTurning(c) - c.p_w * c.response_w, c.response_w, turning);
-  giveTurning(c, p_w - c.p_w);
-  c.p_w = p_w;
+  Vector3 turning_change;
+  if (pair.surface.rolling_resistance > 0 || pair.surface.turning_friction > 0) {
+    const Resistance turning = turningResistance(pair.surface, p_n, pair.radius);
+    const Vector3 w = turningOf(pair.a) - turningOf(pair.b);
+    const Vector3 p_w = resistanceImpulse(w - c.p_w * c.response_w, c.response_w, turning);
+    turning_change = p_w - c.p_w;
+    c.p_w = p_w;
+  }
+  give(c, normal_change + tangential_change, turning_change);
 }
 
 /// What moves by prescription pushes with limited force and speed; what a teleport put together parts slowly.
 double IslandSolver::limited(const WorkContact& c, double impulse, const NormalStep& step) const {
   constexpr double kUnlimited = 1e300;
-  const SpherePair& pair = pairOf(c);
+  const ContactPair& pair = pairOf(c);
   const KeptContact& kept = keptOf(c);
-  const ContactPartner* partner = partnerOf(c);
-  const bool pushes = partner && partner->kind == PartnerKind::kPrescribed;
+  const bool a_pushes = isPrescribed(pair.a), pushes = a_pushes || isPrescribed(pair.b);
   if (!pushes && !kept.overlapped) return impulse;
   const double bounce = restitution(pair.surface, kept.approach_speed) * kept.approach_speed;
   const double speed = kept.overlapped ? max(bounce, settings_.separation_speed) : bounce;
+  const ContactSide &pusher = a_pushes ? pair.a : pair.b, &pushed = a_pushes ? pair.b : pair.a;
   const double force =
-      pushes ? pushingForceLimit(partner->pusher_mass, bodyA(c).mass, pair.radius, kept.approach_speed) : kUnlimited;
+      pushes ? pushingForceLimit(massOf(pusher), massOf(pushed), pair.radius, kept.approach_speed) : kUnlimited;
   return limitedImpulse(impulse, step, force, speed);
 }
 
 /// Remembers the substep's impulses as forces and adds them to what the frame hands out.
 void IslandSolver::book(WorkContact& c, double h) {
-  SpherePair& pair = pairOf(c);
+  ContactPair& pair = pairOf(c);
   KeptContact& kept = keptOf(c);
-  c.recoil_shift += (c.recoil_start + c.recoil) * (0.5 * h);
   if (!c.active) {
     kept = freshContact(pair.key);
     return;
@@ -198,13 +282,17 @@ void IslandSolver::book(WorkContact& c, double h) {
   kept.turning_torque = c.p_w * (1 / h);
   const double end_speed = dot(n, relativeVelocity(c));
   kept.depth = pair.contact.depth - 0.5 * h * (c.start_speed + end_speed);
+  if (pair.found) pair.contact.depth = kept.depth;
   if (c.p_n <= 0) return;
   pair.touched = true;
   pair.impulse += impulse;
-  // From the path's place at this moment to its start: the partner's moment is about a point that stays.
-  const ContactPartner* partner = partnerOf(c);
-  const Vector3 arm = partner ? pair.contact.point - partner->X_start.translation : c.arm_b;
-  pair.moment_B -= cross(arm, impulse) + c.p_w;
+  // From the path's place at this moment to its start: a partner's moment is about a point that stays.
+  const auto momentOn = [&](const ContactSide& side, const WorkSide& work) {
+    const ContactPartner* partner = partnerOf(side);
+    return cross(partner ? pair.contact.point - partner->X_start.translation : work.arm, impulse) + c.p_w;
+  };
+  pair.moment_A += momentOn(pair.a, c.a);
+  pair.moment_B -= momentOn(pair.b, c.b);
 }
 
 }  // namespace murosimf

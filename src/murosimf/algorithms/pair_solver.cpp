@@ -20,7 +20,7 @@ void PairSolver::reserve(int bodies, int pairs) {
 
 void PairSolver::advance(FrameContacts& frame, double dt) {
   std::sort(frame.pairs.begin(), frame.pairs.end(),
-            [](const SpherePair& a, const SpherePair& b) { return a.key < b.key; });
+            [](const ContactPair& a, const ContactPair& b) { return a.key < b.key; });
   recall(frame);
   islands_->advance(frame, recalled_, dt);
   sumPartners(frame);
@@ -33,8 +33,8 @@ void PairSolver::advance(FrameContacts& frame, double dt) {
 void PairSolver::recall(FrameContacts& frame) {
   recalled_.clear();
   auto last = kept_.cbegin();
-  for (SpherePair& pair : frame.pairs) {
-    pair.impulse = pair.moment_B = {};
+  for (ContactPair& pair : frame.pairs) {
+    pair.impulse = pair.moment_A = pair.moment_B = {};
     pair.touched = false;
     while (last != kept_.cend() && last->key < pair.key) ++last;
     const bool known = last != kept_.cend() && last->key == pair.key;
@@ -45,11 +45,15 @@ void PairSolver::recall(FrameContacts& frame) {
 /// In the order of keys, so that the sum's rounding depends on names alone.
 void PairSolver::sumPartners(FrameContacts& frame) {
   for (ContactPartner& partner : frame.partners) partner.impulse = partner.angular_impulse = {};
-  for (const SpherePair& pair : frame.pairs) {
-    if (pair.partner < 0) continue;
-    ContactPartner& partner = frame.partners[static_cast<std::size_t>(pair.partner)];
-    partner.impulse -= pair.impulse;
-    partner.angular_impulse += pair.moment_B;
+  const auto add = [&](const ContactSide& side, const Vector3& impulse, const Vector3& moment) {
+    if (side.partner < 0) return;
+    ContactPartner& partner = frame.partners[static_cast<std::size_t>(side.partner)];
+    partner.impulse += impulse;
+    partner.angular_impulse += moment;
+  };
+  for (const ContactPair& pair : frame.pairs) {
+    add(pair.a, pair.impulse, pair.moment_A);
+    add(pair.b, -pair.impulse, pair.moment_B);
   }
 }
 

@@ -1,9 +1,10 @@
 #pragma once
 
-/// @file The pair phase: free bodies advance by one frame against everything that they may touch.
+/// @file The pair phase: free bodies advance by one frame against everything that they may touch, and what recoils gets
+/// its impulses.
 ///
-/// Per group of free bodies that touch one another the frame is cut into n substeps of h = dt/n,
-/// n = ceil(dt sqrt(s_c W) / 0.35) over the contacts that touch. A substep:
+/// Per group of free bodies and robots that touch one another the frame is cut into n substeps of h = dt/n,
+/// n = ceil(dt sqrt(s_c W) / 0.35) over the contacts of free bodies that touch; 1 without free bodies. A substep:
 ///     1. shapes at their places at its start: depth, point, normal of every pair
 ///     2. velocities with gravity, held forces and last substep's impulses
 ///     3. sweeps of Gauss-Seidel in the order of keys: normal, tangential, turning impulse of each contact

@@ -9,6 +9,7 @@
 #include "murosimf/modules/actuation/servo_controller.h"
 #include "murosimf/modules/actuation/tracking_servo.h"
 #include "murosimf/modules/contact/ground_contact.h"
+#include "murosimf/modules/contact/pair_forces.h"
 #include "murosimf/modules/dynamics/body_accelerations.h"
 #include "murosimf/modules/dynamics/composite_body_dynamics.h"
 #include "murosimf/modules/dynamics/multibody_dynamics.h"
@@ -63,6 +64,8 @@ ModuleRegistry allModules() {
   all.add<SmoothContact>("smooth_contact", "contact", "ground: the paper's law without its jump, viscous friction");
   all.add<PaperContact>("paper_contact", "contact", "ground: the paper's law, viscous friction");
   all.add<GroundContact>("ground_contact", "contact", "ground: the laws of the scenario's table of surfaces");
+  all.add<PairForces>("pair_forces", "recoil", "forces of robots, balls and posts; joints give way");
+  all.add<RigidPairForces>("rigid_pair_forces", "recoil", "the same of a robot whose joints do not give way");
   all.add<MultibodyDynamics>("multibody_dynamics", "motion", "every body has its mass, every joint its torque");
   all.add<CompositeBodyDynamics>("composite_body_dynamics", "motion", "the same by the mass matrix of the robot");
   all.add<SimplifiedDynamics>("simplified_dynamics", "motion", "joints move as prescribed, the whole robot is one body",

@@ -21,6 +21,7 @@ struct BuiltInPair {
 // ball bounces with sqrt(.35) = .59 from the turf, with sqrt(.5) = .71 from a foot, and slows down by
 // c_rr g / (1 + beta) = .3 m/s^2 while it rolls. Robots touch each other harder, or thin parts would go through. A hoof
 // is a round foot: its turning is resisted by a patch of radius r = 1 cm, s_nu = s_mu r^2 / 2.
+// Law: smooth with ball and turf; hunt_crossley among robots and with posts, where it needs no Newton steps.
 // The ball's dissipation gives hunt_crossley the same restitution at 1 m/s as the factor gives the other laws.
 constexpr BuiltInPair kBuiltIn[] = {
     {"ball", "hoof", 3e3, .5, .61, 3, .5, .002, 0, 0},       {"ball", "plastic", 3e3, .5, .61, 3, .5, .002, 0, 0},
@@ -103,6 +104,7 @@ std::vector<SurfacePairSettings> builtInSurfacePairs() {
     SurfacePairSettings& pair = pairs.emplace_back();
     pair.first = b.first;
     pair.second = b.second;
+    if (pair.first != "ball" && pair.second != "turf") pair.law.value = "hunt_crossley";
     pair.stiffness.value = b.stiffness;
     pair.restitution_factor.value = b.restitution_factor;
     pair.dissipation.value = b.dissipation;

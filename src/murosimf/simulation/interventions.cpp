@@ -100,7 +100,8 @@ void InterventionQueue::act(const Intervention& i) {
     case Intervention::Kind::kPlaceRobot:
       return robots_[indexOf(i.object)].place(i.pose);
     case Intervention::Kind::kExchangeLevel:
-      return exchangers_[indexOf(i.object)].exchange(i.level);
+      exchangers_[indexOf(i.object)].exchange(i.level);
+      return robots_[indexOf(i.object)].catchUp();
   }
 }
 

@@ -22,7 +22,8 @@ StateGuard::StateGuard(const World& world, LinkedWorld& linked, const std::vecto
     robots_.push_back({id, &linked.residentOf(id), StepHistory(linked, id), linked.handle(id, kBasePose),
                        linked.handle(id, kBasePoseLast), linked.handle(id, kBodyPose, subset::kBodies),
                        linked.handle(id, kBodyPoseLast, subset::kBodies),
-                       linked.handle(id, kJointPosition, subset::kJoints), kernelRows(*world.findShared(id, kTree))});
+                       linked.handle(id, kJointPosition, subset::kJoints), linked.handle(id, kPlacementCount),
+                       linked.handle(id, kPlacementsShown), kernelRows(*world.findShared(id, kTree))});
   }
 }
 
@@ -67,6 +68,7 @@ void StateGuard::stop(Robot& robot) {
   for (Handle<Pose>* bodies : {&robot.bodies, &robot.bodies_last}) {
     for (int i = 0; i < bodies->size(); ++i) bodies->set(X_WR[static_cast<std::size_t>(i)], i);
   }
+  if (robot.shown.valid()) robot.shown.set(robot.placements.get());
   robot.level = robot.resident->level;
   robot.memory.clear();
   linked_.visitMemory(linked_.placeOf(*robot.resident), [&](double& value) { robot.memory.push_back(value); });

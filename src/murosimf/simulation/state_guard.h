@@ -47,7 +47,7 @@ class StateGuard {
     const Resident* resident;
     StepHistory history;
     Handle<Pose> base, base_last, bodies, bodies_last;
-    Handle<double> q;
+    Handle<double> q, placements, shown;
     std::vector<KernelRow> rows;
     bool frozen = false;
     Pose X_WB{};                   ///< where it is held

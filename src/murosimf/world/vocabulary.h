@@ -111,6 +111,8 @@ inline constexpr Variable<Pose> kBasePoseLast{"base_pose_last", "m", "X_WB at th
 inline constexpr Variable<Pose> kBodyPose{"body_pose", "m", "X_WB of each body at the end of the step", Storage::kKept};
 inline constexpr Variable<Pose> kBodyPoseLast{"body_pose_last", "m", "X_WB of each body at the beginning of the step",
                                               Storage::kKept};
+inline constexpr Variable<double> kPlacementsShown{"placements_shown", "1", "placement_count of body_pose; -1: of none",
+                                                   Storage::kKept};
 inline constexpr Variable<SpatialMotion<double>> kBaseVelocity{"base_velocity", "SI",
                                                                "w and v of the base's origin, base axes"};
 inline constexpr Variable<Vector3> kBodyVelocity{"body_velocity", "m/s", "v_WB of a free body's centre"};
@@ -150,6 +152,13 @@ inline constexpr Variable<SpatialForce<double>> kBodyForce{"body_force", "SI", "
 inline constexpr Variable<double> kJointAcceleration{"joint_acceleration", "rad/s^2", "of q", Storage::kStep};
 inline constexpr Variable<SpatialMotion<double>> kBodyAcceleration{
     "body_acceleration", "SI", "proper: what an accelerometer feels", Storage::kStep};
+// Variables of contacts with what can move; their forces are the pair phase's.
+inline constexpr Variable<SpatialForce<double>> kPairForce{
+    "pair_force", "SI", "held over the frame, in the body's axes at its start, about its origin"};
+inline constexpr Variable<double> kPairTouch{"pair_touch", "1", "1 where pair_force of any body is not zero"};
+inline constexpr Variable<double> kJointsYield{"joints_yield", "1",
+                                               "1: joints give way to an impulse; 0: the robot recoils as one body"};
+
 inline constexpr Variable<double> kEventFunction{
     "event_function", "SI", "changes its sign where forces jump: a gap, a distance from a limit", Storage::kStep};
 

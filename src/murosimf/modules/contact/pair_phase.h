@@ -1,25 +1,28 @@
 #pragma once
 
-/// @file The pair phase of the frame: free bodies (the ball) advance against ground, posts and robots.
+/// @file The pair phase of the frame: contacts of all that can move with one another, and with what stands on the
+/// field.
 ///
 /// Joins the world's properties with the free functions of algorithms/pair_solver.h. Each frame it finds, for every
-/// free body, the shapes that it may reach (bounding spheres, robots first, then their bodies), gives their straight
-/// paths over the frame, and lets the solver advance.
+/// free body, the shapes that it may reach (bounding spheres, robots first, then their bodies), and where robots touch
+/// robots and posts (robot_pairs.h); gives the straight paths of their bodies over the frame, and lets the solver
+/// advance.
 ///
 /// Free bodies   need mass, inertia_factor, ball_radius and one shape (its surface name counts);
 ///               it adds base_pose, body_velocity and body_rate, and moves them every frame.
-/// Robots        it reads body_pose and body_pose_last; shapes with `collides` touch. Their motion is prescribed: they
-///               push with a capped force and do not recoil. It adds push_force of their touch sensors: the force of
-///               free bodies on the shapes that the sensor feels, mean over the frame.
-/// Static        objects with fixed_pose and shapes; the ground is the half-space below z = 0, surface "turf".
-/// State         contacts kept from frame to frame (PairSolver::kept).
+/// Robots        it reads body_pose and body_pose_last; shapes with `collides` touch. Whoever takes pair_force recoils
+///               (contact_robot.h); the motion of others is prescribed: they push with a capped force. It adds
+///               push_force of their touch sensors: the force of what they touch here on the shapes that the sensor
+///               feels, mean over the frame.
+/// Static        objects with fixed_pose and shapes; the ground is the half-space below z = 0, surface "turf". Robots
+///               meet the ground by modules of their own.
+/// State         contacts kept from frame to frame (PairSolver::kept), motion of bodies that touched (contact_robot.h).
 
 #include <vector>
 
 #include "murosimf/algorithms/pair_solver.h"
-#include "murosimf/linking/body_path.h"
 #include "murosimf/linking/outside_access.h"
-#include "murosimf/math/state_archive.h"
+#include "murosimf/modules/contact/robot_pairs.h"
 
 namespace murosimf {
 
@@ -43,6 +46,9 @@ class PairPhase {
   };
   /// Those of the last frame.
   const std::vector<Touch>& touches() const { return touches_; }
+  /// All pairs of the last frame, for those who watch: also those that did not touch.
+  const FrameContacts& contacts() const { return frame_; }
+  const RobotPairs::Counts& counts() const { return robot_pairs_.counts(); }
 
   void archive(StateArchive& archive);
 
@@ -55,46 +61,33 @@ class PairPhase {
     std::uint64_t name;
     std::string surface;
   };
-  struct Obstacle {  // one shape of a robot's body or of something fixed
-    ObjectId object;
-    int row;
-    Pose X_PS;
-    Shape shape;
-    double reach;  // bounding radius [m]
-    std::uint64_t name;
-    std::uint16_t number;
-    int touch_sensor;                  // of the robot; -1: none feels it
-    std::vector<SurfacePair> surface;  // per free body
-  };
-  struct Robot {
-    ObjectId object;
-    BodyPath path;
-    double mass = 0, reach = 0;  // [kg]; from its base [m]
-    std::vector<Obstacle> shapes;
-    Handle<double> push;  // of its touch sensors
-  };
   struct Partner {  // of the frame
     ObjectId object;
-    int robot = -1, touch_sensor = -1;
+    int robot = -1;
   };
 
-  std::vector<Obstacle> obstaclesOf(const World& world, ObjectId object) const;
-  std::vector<SurfacePair> surfacesWith(const World& world, const std::string& surface) const;
-  static double reachOf(const World& world, const Robot& robot);
+  std::vector<std::vector<SurfacePair>> surfacesOf(const World& world, const std::vector<Obstacle>& shapes) const;
   void reserve();
+  void findPairs(long frame, double dt);
   void addGround(std::size_t body);
   void addBodies(std::size_t body, std::size_t other);
   void addFixed(std::size_t body, double reach);
-  void addRobot(std::size_t body, int number, double reach, long frame);
-  void addPair(std::size_t body, const Obstacle& obstacle, int robot);
+  void addRobot(std::size_t body, int number, double reach);
+  void addPair(std::size_t body, const Obstacle& obstacle, std::uint64_t name, const SurfacePair& surface, int partner);
+  void nameNewPartner(ObjectId object, int robot);
+  void noteTouches();
   void pressSensors(double dt);
+  void press(const ContactSide& side, std::uint16_t shape, double force);
 
   std::vector<Moving> moving_;
-  std::vector<Robot> robots_;
-  std::vector<Obstacle> fixed_;
-  std::vector<Pose> fixed_poses_;
+  std::vector<ContactRobot> robots_;
+  std::vector<FixedObstacle> fixed_;
+  RobotPairs robot_pairs_;
   std::vector<SurfacePair> ground_;   // per free body
   std::vector<SurfacePair> between_;  // of free bodies: (1, 0), (2, 0), (2, 1), (3, 0) ...
+  // With each free body: of every shape of every robot, and of everything fixed.
+  std::vector<std::vector<std::vector<SurfacePair>>> robot_surfaces_;
+  std::vector<std::vector<SurfacePair>> fixed_surfaces_;
   PairSolver solver_;
   FrameContacts frame_;
   std::vector<Partner> partners_;

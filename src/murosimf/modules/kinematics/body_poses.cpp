@@ -7,10 +7,6 @@
 
 namespace murosimf {
 
-namespace {
-constexpr Variable<double> kPlacementsShown{"placements_shown", "1", "placement_count of body_pose", Storage::kKept};
-}  // namespace
-
 void BodyPoses::declare(Declaration& d) const {
   d.follows(kBasePose);
   d.needs(kTree);

@@ -7,6 +7,7 @@ const OutsideAccess& RobotPlacer::robotAccess() {
     d.needs(kTree);
     d.adds(kPlacement);
     d.adds(kPlacementCount);
+    d.readsIfAdded(kPlacementsShown);
     d.reads(kJointPosition, subset::kJoints);
     d.sets(kJointVelocity, subset::kJoints);
     d.sets(kBasePose);
@@ -19,6 +20,7 @@ RobotPlacer::RobotPlacer(const World& world, LinkedWorld& linked, ObjectId robot
     : robot_(robot),
       placement_(linked.handle(robot, kPlacement)),
       count_(linked.handle(robot, kPlacementCount)),
+      shown_(linked.handle(robot, kPlacementsShown)),
       q_(linked.handle(robot, kJointPosition, subset::kJoints)),
       dq_(linked.handle(robot, kJointVelocity, subset::kJoints)),
       base_pose_(linked.handle(robot, kBasePose)),
@@ -30,6 +32,11 @@ void RobotPlacer::place(const PlanarPose& pose) {
   placement_.set(pose);
   count_.set(count_.get() + 1);
   if (base_velocity_.valid()) setState(pose);
+}
+
+void RobotPlacer::catchUp() {
+  const bool waiting = shown_.valid() && count_.get() > 0 && shown_.get() != count_.get();
+  if (waiting && base_velocity_.valid()) setState(placement_.get());
 }
 
 void RobotPlacer::setState(const PlanarPose& pose) {

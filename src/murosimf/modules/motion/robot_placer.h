@@ -23,13 +23,15 @@ class RobotPlacer {
   ObjectId robot() const { return robot_; }
   /// Between two frames. Allocates nothing.
   void place(const PlanarPose& pose);
+  /// After an exchange of levels: does what was asked of the motion that has left before it obeyed.
+  void catchUp();
 
  private:
   void setState(const PlanarPose& pose);
 
   ObjectId robot_;
   Handle<PlanarPose> placement_;
-  Handle<double> count_;
+  Handle<double> count_, shown_;
   Handle<double> q_, dq_;
   Handle<Pose> base_pose_;
   Handle<SpatialMotion<double>> base_velocity_;  // of motion that obeys contacts

@@ -1,0 +1,137 @@
+#include "murosimf/algorithms/tree_response.h"
+
+#include <cmath>
+
+namespace murosimf {
+
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+using Six = std::array<double, 6>;
+using Matrix6 = std::array<Six, 6>;
+
+Six sixOf(const Vector3& a, const Vector3& b) { return {a.x, a.y, a.z, b.x, b.y, b.z}; }
+double dot(const Six& a, const Six& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 6; ++i) sum += a[i] * b[i];
+  return sum;
+}
+void addScaled(Six& a, const Six& b, double s) {
+  for (std::size_t i = 0; i < 6; ++i) a[i] += b[i] * s;
+}
+Six operator*(const Matrix6& m, const Six& x) {
+  Six result;
+  for (std::size_t i = 0; i < 6; ++i) result[i] = dot(m[i], x);
+  return result;
+}
+
+/// A rigid body's inertia, turned into world axes and referred to the point from which its origin lies at p.
+Matrix6 inertiaAbout(const RigidInertia<double>& body, const Rotation3& R, const Vector3& p) {
+  const RigidInertia<double> about = shifted(RigidInertia<double>{body.m, R * body.mc, turned(R, body.I)}, p);
+  const double m = about.m;
+  const Vector3& c = about.mc;
+  const Symmetric3<double>& I = about.I;
+  return {{{I.xx, I.xy, I.xz, 0, -c.z, c.y},
+           {I.xy, I.yy, I.yz, c.z, 0, -c.x},
+           {I.xz, I.yz, I.zz, -c.y, c.x, 0},
+           {0, c.z, -c.y, m, 0, 0},
+           {-c.z, 0, c.x, 0, m, 0},
+           {c.y, -c.x, 0, 0, 0, m}}};
+}
+
+/// Inverse of a symmetric positive definite matrix, by its Cholesky factor.
+Matrix6 inverseOf(Matrix6 a) {
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      double sum = a[i][j];
+      for (std::size_t k = 0; k < j; ++k) sum -= a[i][k] * a[j][k];
+      a[i][j] = i == j ? std::sqrt(sum) : sum / a[j][j];
+    }
+  }
+  Matrix6 inverse{};
+  for (std::size_t column = 0; column < 6; ++column) {
+    Six x{};
+    x[column] = 1;
+    for (std::size_t i = 0; i < 6; ++i) {
+      for (std::size_t k = 0; k < i; ++k) x[i] -= a[i][k] * x[k];
+      x[i] /= a[i][i];
+    }
+    for (std::size_t i = 6; i-- > 0;) {
+      for (std::size_t k = i + 1; k < 6; ++k) x[i] -= a[k][i] * x[k];
+      x[i] /= a[i][i];
+    }
+    for (std::size_t i = 0; i < 6; ++i) inverse[i][column] = x[i];
+  }
+  return inverse;
+}
+
+}  // namespace
+
+TreeResponse::TreeResponse(const Constants& constants)
+    : constants_(constants),
+      joints_(constants.tree.rows.size()),
+      articulated_(joints_.size()),
+      u_(joints_.size()),
+      motion_(joints_.size()) {}
+
+void TreeResponse::place(std::span<const Pose> X_WB) {
+  setReference(X_WB[0].translation);
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const Vector3 p = X_WB[i].translation - reference();
+    articulated_[i] = inertiaAbout(constants_.inertia[i], X_WB[i].rotation, p);
+    const TreeRow& row = constants_.tree.rows[i];
+    const Rotation3& R = X_WB[i].rotation;
+    const Vector3 axis = row.axis == 0 ? R.x : row.axis == 1 ? R.y : R.z;
+    joints_[i].S = row.kind == JointKind::kRevolute ? sixOf(axis, cross(p, axis)) : sixOf({}, axis);
+  }
+  gatherInward();
+}
+
+void TreeResponse::gatherInward() {
+  for (std::size_t i = joints_.size(); i-- > 1;) {
+    Joint& joint = joints_[i];
+    joint.U = articulated_[i] * joint.S;
+    joint.over_D = 1 / (dot(joint.S, joint.U) + constants_.armature[i - 1]);
+    Matrix6& parent = articulated_[index(constants_.tree.rows[i].parent)];
+    for (std::size_t a = 0; a < 6; ++a) {
+      const double scaled = joint.U[a] * joint.over_D;
+      for (std::size_t b = 0; b < 6; ++b) parent[a][b] += articulated_[i][a][b] - scaled * joint.U[b];
+    }
+  }
+  base_inverse_ = inverseOf(articulated_[0]);
+}
+
+/// Fills motion_ with what every body then does.
+void TreeResponse::respondTo(int body, const Six& impulse) const {
+  std::fill(u_.begin(), u_.end(), 0.0);
+  Six inward = impulse;  // -p
+  for (std::size_t i = index(body); i > 0; i = index(constants_.tree.rows[i].parent)) {
+    const Joint& joint = joints_[i];
+    u_[i] = dot(joint.S, inward);
+    addScaled(inward, joint.U, -u_[i] * joint.over_D);
+  }
+  motion_[0] = base_inverse_ * inward;
+  for (std::size_t i = 1; i < joints_.size(); ++i) {
+    const Joint& joint = joints_[i];
+    motion_[i] = motion_[index(constants_.tree.rows[i].parent)];
+    const double ddq = (u_[i] - dot(joint.U, motion_[i])) * joint.over_D;
+    addScaled(motion_[i], joint.S, ddq);
+  }
+}
+
+void TreeResponse::respond(std::span<const int> bodies, std::span<double> matrix) const {
+  const std::size_t width = 6 * bodies.size();
+  for (std::size_t j = 0; j < bodies.size(); ++j) {
+    for (std::size_t b = 0; b < 6; ++b) {
+      Six impulse{};
+      impulse[b] = 1;
+      respondTo(bodies[j], impulse);
+      for (std::size_t row = 0; row < width; ++row) {
+        matrix[row * width + 6 * j + b] = motion_[index(bodies[row / 6])][row % 6];
+      }
+    }
+  }
+}
+
+}  // namespace murosimf

@@ -1,0 +1,108 @@
+#pragma once
+
+/// @file A robot as the pair phase sees it: shapes on bodies that move on straight paths, and what impulses do to it.
+///
+/// Recoil     of robots whose motion takes pair_force (pair_forces.h): as a tree of bodies, or as one where
+/// joints_yield
+///            is 0. What else acts on a body is told from its last frame: drift = (change of motion - recoil)/dt, and
+///            gravity where it touched nothing then. Motion that takes no forces is prescribed.
+/// State      motion and recoil of the bodies that touched something in the last frame.
+
+#include <memory>
+
+#include "murosimf/algorithms/collision/collision_shape.h"
+#include "murosimf/algorithms/tree_response.h"
+#include "murosimf/linking/body_path.h"
+#include "murosimf/math/state_archive.h"
+
+namespace murosimf {
+
+/// One shape of a robot's body or of something fixed.
+struct Obstacle {
+  int row = 0;  ///< body that carries it
+  Pose X_BS;
+  Shape shape;
+  CollisionShape collision;
+  double reach = 0;          ///< bounding radius [m]
+  double thickness = 0;      ///< half of its smallest extent [m]
+  std::uint16_t number = 0;  ///< among the shapes of its object, also those that do not collide
+  int touch_sensor = -1;     ///< of the robot; -1: none feels it
+  std::string surface;
+};
+/// Those that collide.
+std::vector<Obstacle> obstaclesOf(const World& world, ObjectId object);
+
+/// One shape of something that never moves.
+struct FixedObstacle {
+  ObjectId object;
+  std::uint64_t name = 0;
+  Pose X_WB;
+  Obstacle shape;
+};
+
+/// @throws std::invalid_argument naming both surfaces when the world's table lacks the pair
+SurfacePair surfacePairOf(const World& world, std::string_view a, std::string_view b);
+
+class ContactRobot {
+ public:
+  ContactRobot(const World& world, LinkedWorld& linked, ObjectId robot);
+
+  ObjectId object() const { return object_; }
+  std::uint64_t name() const { return name_; }
+  const std::vector<Obstacle>& shapes() const { return shapes_; }
+  /// How far its shapes can get from its base, its chains stretched out, whatever its joints do [m].
+  double reach() const { return reach_; }
+  /// Whether it recoils at any of its levels of detail, and at the present one.
+  bool mayRecoil() const { return may_recoil_; }
+  bool recoils() const { return pair_force_.valid(); }
+  /// Whether its bodies have places: those of motion that obeys contacts have none before its first step.
+  bool present() const { return !shown_.valid() || shown_.get() >= 0; }
+  int touchSensorOf(std::uint16_t shape) const;
+
+  // In this order, every frame:
+  /// Forgets the last frame's partners.
+  void begin(long frame, double dt);
+  Vector3 basePosition() const { return path_.position(0, begin_); }
+  /// Where a body will be at the frame's end.
+  Vector3 nearPosition(int row) const { return path_.position(row, end_); }
+  Pose bodyPose(int row) const { return path_.pose(row, begin_); }
+  /// The partner of a body, which it adds to the frame where it is not there yet.
+  int partner(int row, FrameContacts& frame, int number);
+  /// Its response, when it recoils and has partners; null else. Valid until the next frame.
+  const Response* response();
+  /// Hands it the frame's impulses.
+  void finish(const FrameContacts& frame);
+
+  void feel(int sensor, double force) { push_.set(push_.get(sensor) + force, sensor); }
+  void clearSensors();
+  void archive(StateArchive& archive) { archive(memory_); }
+
+ private:
+  /// What a body did in the last frame in which it was a partner; v of its origin, world axes.
+  struct Memory {
+    long frame = -2;
+    SpatialMotion<double> motion, recoil;
+  };
+  void findReach(const World& world);
+  void readMasses(const World& world);
+
+  ObjectId object_;
+  std::uint64_t name_;
+  BodyPath path_;
+  double mass_ = 0, reach_ = 0;
+  std::vector<Obstacle> shapes_;
+  bool may_recoil_ = false;
+  Handle<double> push_, pair_touch_, joints_yield_, shown_;
+  Handle<SpatialForce<double>> pair_force_;
+  std::unique_ptr<TreeResponse::Constants> yielding_, held_;  // null where the robot never recoils
+  std::unique_ptr<TreeResponse> responses_[2];                // joints held, joints yield
+  std::vector<Memory> memory_;                                // per row
+
+  // Of the frame.
+  long frame_ = 0;
+  double dt_ = 0, begin_ = 0, end_ = 0;
+  std::vector<int> partner_of_row_, rows_, pushed_;  // pushed_: rows whose pair_force is not zero
+  std::vector<Pose> X_WB_;
+};
+
+}  // namespace murosimf

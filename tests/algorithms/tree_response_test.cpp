@@ -1,0 +1,111 @@
+// How a tree of bodies answers impulses, against forward dynamics of trees at rest.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "algorithms/random_tree.h"
+#include "algorithms/rigid_response.h"
+#include "murosimf/algorithms/tree_response.h"
+
+namespace murosimf::test {
+namespace {
+
+struct AtRest {
+  RandomTree<double> tree;
+  std::vector<Pose> X_WB;
+  TreeResponse::Constants constants;
+
+  AtRest(int joints, unsigned seed) : tree(joints, seed, {seed}) {
+    std::fill(tree.dq.begin(), tree.dq.end(), 0.0);
+    std::fill(tree.torque.begin(), tree.torque.end(), 0.0);
+    std::fill(tree.velocity.begin(), tree.velocity.end(), SpatialMotion<double>{});
+    std::fill(tree.force.begin(), tree.force.end(), SpatialForce<double>{});
+    X_WB.push_back({rotationExp(Vector3{0.3, -1.1, 0.7}), {4, -3, 0.4}});
+    for (std::size_t i = 1; i < tree.rows.size(); ++i) {
+      X_WB.push_back(childPose(X_WB[static_cast<std::size_t>(tree.rows[i].parent)], tree.rows[i], tree.q[i - 1]));
+    }
+    constants = {tree.table, tree.inertia, tree.joint_inertia};
+  }
+  const Rotation3& rotation(std::size_t body) const { return X_WB[body].rotation; }
+  Vector3 arm(std::size_t body) const { return X_WB[body].translation - X_WB[0].translation; }
+  /// Acceleration of a body by a force on another one, both in world axes about the base's origin.
+  SpatialMotion<double> accelerated(std::size_t body, std::size_t pushed, const SpatialForce<double>& force_O) {
+    const SpatialForce<double> about_body{force_O.n - cross(arm(pushed), force_O.f), force_O.f};
+    std::fill(tree.force.begin(), tree.force.end(), SpatialForce<double>{});
+    tree.force[pushed] = {applyTransposed(rotation(pushed), about_body.n),
+                          applyTransposed(rotation(pushed), about_body.f)};
+    articulatedBody(tree.tree(), tree.articulated());
+    const SpatialMotion<double>& a = tree.acceleration[body];
+    const Vector3 w = rotation(body) * a.w;
+    return {w, rotation(body) * a.v - cross(w, arm(body))};
+  }
+};
+
+TEST(TreeResponse, EqualsTheAccelerationsOfForwardDynamicsAtRest) {
+  for (const int joints : {0, 1, 3, 8, 21, 40}) {
+    AtRest robot(joints, static_cast<unsigned>(7 + joints));
+    TreeResponse response(robot.constants);
+    response.place(robot.X_WB);
+    const std::vector<int> bodies{0, joints / 2, joints};
+    std::vector<double> matrix(36 * bodies.size() * bodies.size());
+    response.respond(bodies, matrix);
+    const std::size_t width = 6 * bodies.size();
+    for (std::size_t j = 0; j < bodies.size(); ++j) {
+      for (std::size_t b = 0; b < 6; ++b) {
+        Vector3 parts[2];
+        parts[b / 3][static_cast<int>(b % 3)] = 1;
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+          const SpatialMotion<double> a = robot.accelerated(static_cast<std::size_t>(bodies[i]),
+                                                            static_cast<std::size_t>(bodies[j]), {parts[0], parts[1]});
+          const double numbers[] = {a.w.x, a.w.y, a.w.z, a.v.x, a.v.y, a.v.z};
+          for (std::size_t k = 0; k < 6; ++k) {
+            const double scale = 1 + std::abs(numbers[k]);
+            EXPECT_NEAR(matrix[(6 * i + k) * width + 6 * j + b], numbers[k], 1e-9 * scale) << joints;
+            EXPECT_NEAR(matrix[(6 * i + k) * width + 6 * j + b], matrix[(6 * j + b) * width + 6 * i + k], 1e-9 * scale);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(TreeResponse, OfALoneBodyIsThatOfARigidOne) {
+  AtRest robot(0, 5);
+  TreeResponse tree(robot.constants);
+  tree.place(robot.X_WB);
+  const RigidInertia<double>& body = robot.tree.inertia[0];
+  const Rotation3& R = robot.rotation(0);
+  const Vector3 com = body.mc * (1 / body.m);
+  const RigidInertia<double> about_com = shifted(body, -com);
+  const Symmetric3<double> I = turned(R, about_com.I);
+  const Vector3 x{I.xx, I.xy, I.xz}, y{I.xy, I.yy, I.yz}, z{I.xz, I.yz, I.zz};
+  const double over_determinant = 1 / dot(x, cross(y, z));
+  const Rotation3 inverse{cross(y, z) * over_determinant, cross(z, x) * over_determinant,
+                          cross(x, y) * over_determinant};
+  const RigidResponse rigid(robot.X_WB[0].translation, body.m, robot.X_WB[0] * com, inverse);
+  const int bodies[] = {0};
+  std::vector<double> a(36), b(36);
+  tree.respond(bodies, a);
+  rigid.respond(bodies, b);
+  for (std::size_t i = 0; i < 36; ++i) EXPECT_NEAR(a[i], b[i], 1e-9 * (1 + std::abs(b[i])));
+}
+
+TEST(TreeResponse, OfJointsThatAreHeldIsThatOfTheWholeTreeAsOneBody) {
+  AtRest robot(12, 3);
+  std::fill(robot.constants.armature.begin(), robot.constants.armature.end(), std::numeric_limits<double>::infinity());
+  TreeResponse response(robot.constants);
+  response.place(robot.X_WB);
+  const int bodies[] = {0, 5, 12};
+  std::vector<double> matrix(36 * 9);
+  response.respond(bodies, matrix);
+  for (std::size_t row = 0; row < 18; ++row) {
+    for (std::size_t column = 0; column < 18; ++column) {
+      EXPECT_EQ(matrix[row * 18 + column], matrix[(row % 6) * 18 + column % 6]);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace murosimf::test

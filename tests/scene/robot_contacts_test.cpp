@@ -1,0 +1,143 @@
+// Robots that touch one another: they recoil, at every level of detail that knows forces.
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "scene/built_world.h"
+
+namespace murosimf::test {
+namespace {
+
+const std::string kHead =
+    "[referee]\nenabled = false\n[ball]\npresent = false\n"
+    "[robots.all]\nfile = \"robots/ks21.urdf\"\ncontrol = \"none\"\n";
+
+/// Robots that hold their first posture and are moved about by the test.
+class Robots {
+ public:
+  explicit Robots(const std::vector<std::string>& motions) : built_(textOf(motions)), simulation_(built_.simulation()) {
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+      robots_.push_back(simulation_->world().find(fmt::format("robots.red.{}", i + 1)));
+    }
+    simulation_->step();
+  }
+  Simulation& simulation() { return *simulation_; }
+  std::size_t count() const { return robots_.size(); }
+  Handle<Pose> base(std::size_t i) { return simulation_->linked().handle(robots_[i], kBasePose); }
+  Handle<SpatialMotion<double>> motion(std::size_t i) {
+    return simulation_->linked().handle(robots_[i], kBaseVelocity);
+  }
+  bool falls(std::size_t i) { return motion(i).valid(); }
+  void put(std::size_t i, const Pose& X_WB, const Vector3& v_B = {}) {
+    base(i).set(X_WB);
+    motion(i).set({{}, v_B});
+  }
+  double speed(std::size_t i) { return falls(i) ? norm(motion(i).get().v) : 0; }
+  double fastest() {
+    double speed_of_all = 0;
+    for (std::size_t i = 0; i < count(); ++i) speed_of_all = std::max(speed_of_all, speed(i));
+    return speed_of_all;
+  }
+  /// Of all contacts of the last frame.
+  double deepest() const {
+    double depth = 0;
+    for (const ContactPair& pair : simulation_->pairs().contacts().pairs) depth = std::max(depth, pair.contact.depth);
+    return depth;
+  }
+  /// Of the robot's bodies over the last step, from where they were and are.
+  Vector3 momentum(std::size_t i) {
+    const BodyPath path(simulation_->linked(), robots_[i]);
+    Vector3 sum;
+    int row = 0;
+    for (const ObjectId body : simulation_->world().members(robots_[i], subset::kBodies)) {
+      const RigidInertia<double> inertia = *simulation_->world().find(body, kBodyInertia);
+      const Vector3 p_BC = inertia.mc * (1 / std::max(inertia.m, 1e-9));
+      sum += (path.end(row) * p_BC - path.last(row) * p_BC) * (inertia.m / simulation_->frameLength());
+      ++row;
+    }
+    return sum;
+  }
+
+ private:
+  static std::string textOf(const std::vector<std::string>& motions) {
+    std::string text = kHead;
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+      text += fmt::format("[robots.red.{}]\npose = [{}, {}, 0]\nmotion = \"{}\"\n", i + 1,
+                          0.8 * static_cast<double>(i % 3), 0.8 * static_cast<double>(i / 3), motions[i]);
+    }
+    return text;
+  }
+  BuiltWorld built_;
+  std::unique_ptr<Simulation> simulation_;
+  std::vector<ObjectId> robots_;
+};
+
+using TwoMotions = std::tuple<const char*, const char*>;
+constexpr const char* kDynamic[] = {"multibody_dynamics", "composite_body_dynamics", "simplified_dynamics"};
+constexpr const char* kAll[] = {"kinematic_walking", "simplified_dynamics", "multibody_dynamics"};
+
+std::string nameOf(const testing::TestParamInfo<TwoMotions>& test) {
+  return std::string(std::get<0>(test.param)) + "_and_" + std::get<1>(test.param);
+}
+
+class RobotsInFlight : public testing::TestWithParam<TwoMotions> {};
+
+TEST_P(RobotsInFlight, KeepTheirMomentumWhenTheyCollide) {
+  const auto [red, blue] = GetParam();
+  Robots two({red, blue});
+  two.put(0, {{}, {0, 0, 2}}, {2, 0, 0});
+  two.put(1, {rotationZ(0.4), {0.3, 0.03, 2}});
+  for (int i = 0; i < 2; ++i) two.simulation().step();  // the first one begins where they stood
+  const Vector3 before = two.momentum(0) + two.momentum(1), alone = two.momentum(1);
+  for (int i = 0; i < 400; ++i) two.simulation().step();
+  const Vector3 after = two.momentum(0) + two.momentum(1);
+  EXPECT_GT(two.momentum(1).x - alone.x, 0.5) << "they were to collide";
+  EXPECT_NEAR(after.x, before.x, 5e-4 * before.x) << "first order: forces stay in the body's axes over a step";
+  EXPECT_NEAR(after.y, before.y, 5e-4 * before.x);
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, RobotsInFlight,
+                         testing::Combine(testing::ValuesIn(kDynamic), testing::ValuesIn(kDynamic)), nameOf);
+
+class RobotOntoRobot : public testing::TestWithParam<TwoMotions> {};
+
+TEST_P(RobotOntoRobot, FallsAndLiesThereWithoutSinkingIn) {
+  const auto [upper, lower] = GetParam();
+  Robots two({upper, lower});
+  if (!two.falls(0)) GTEST_SKIP() << "kinematic robots do not fall";
+  const Pose X_WB = two.base(1).get();
+  two.put(0, {rotationY(kPi / 2), X_WB.translation + Vector3{0.02, 0.01, 0.5}});
+  double deepest = 0, fastest = 0;
+  for (int i = 0; i < 3500; ++i) {
+    two.simulation().step();
+    deepest = std::max(deepest, two.deepest());
+    fastest = std::max(fastest, two.fastest());
+  }
+  EXPECT_GT(deepest, 1e-4) << "they were to touch";
+  EXPECT_LT(deepest, 0.02);
+  EXPECT_LT(fastest, 8) << "nobody falls from higher than a metre";
+  EXPECT_LT(two.fastest(), 0.6);
+  EXPECT_LT(two.deepest(), 5e-3);
+  EXPECT_TRUE(two.simulation().guard().faults().empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, RobotOntoRobot, testing::Combine(testing::ValuesIn(kAll), testing::ValuesIn(kAll)),
+                         nameOf);
+
+TEST(RobotHeap, OfSixComesToRest) {
+  Robots six(std::vector<std::string>(6, "multibody_dynamics"));
+  for (std::size_t i = 0; i < six.count(); ++i) {
+    const double n = static_cast<double>(i);
+    six.put(i, {rotationExp(Vector3{n, 0.5 * static_cast<double>(i % 3), 0}),
+                {0.05 * static_cast<double>(i % 3), 0.04 * static_cast<double>(i % 4), 0.4 + 0.5 * n}});
+  }
+  for (int i = 0; i < 3500; ++i) six.simulation().step();
+  EXPECT_LT(six.fastest(), 0.2);
+  EXPECT_LT(six.deepest(), 1e-3);
+  EXPECT_GT(six.simulation().pairs().counts().found, 10);
+  EXPECT_TRUE(six.simulation().guard().faults().empty());
+}
+
+}  // namespace
+}  // namespace murosimf::test
