@@ -16,7 +16,7 @@
 ///            formed from them. composite_motion is what the step before has found, checked, and found again where
 ///            somebody has moved joints in between.
 /// Limits     Sines at the end of a step are exact for joints that turn by up to pi/4 in it; beyond that inertia and
-///            momentum are off, by 1e-9 at pi/2.
+///            momentum are off.
 /// Phase      kEvaluate: the integrator momentum_midpoint asks for it.
 /// Needs      the tree, body_inertia of the bodies; initial_position for version 1.
 /// Adds       base_acceleration, proper, in base axes about its origin; centroidal_step for the integrator.
