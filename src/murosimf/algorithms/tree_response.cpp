@@ -1,5 +1,6 @@
 #include "murosimf/algorithms/tree_response.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace murosimf {
@@ -16,9 +17,6 @@ double dot(const Six& a, const Six& b) {
   double sum = 0;
   for (std::size_t i = 0; i < 6; ++i) sum += a[i] * b[i];
   return sum;
-}
-void addScaled(Six& a, const Six& b, double s) {
-  for (std::size_t i = 0; i < 6; ++i) a[i] += b[i] * s;
 }
 Six operator*(const Matrix6& m, const Six& x) {
   Six result;
@@ -73,7 +71,10 @@ TreeResponse::TreeResponse(const Constants& constants)
       joints_(constants.tree.rows.size()),
       articulated_(joints_.size()),
       u_(joints_.size()),
-      motion_(joints_.size()) {}
+      motion_(joints_.size()),
+      on_way_(joints_.size()) {
+  ways_.reserve(joints_.size());
+}
 
 void TreeResponse::place(std::span<const Pose> X_WB) {
   setReference(X_WB[0].translation);
@@ -102,33 +103,55 @@ void TreeResponse::gatherInward() {
   base_inverse_ = inverseOf(articulated_[0]);
 }
 
-/// Fills motion_ with what every body then does.
-void TreeResponse::respondTo(int body, const Six& impulse) const {
-  std::fill(u_.begin(), u_.end(), 0.0);
-  Six inward = impulse;  // -p
+/// Rows in ascending order: parents come before their children.
+void TreeResponse::findWays(std::span<const int> bodies) const {
+  std::fill(on_way_.begin(), on_way_.end(), char{0});
+  for (const int body : bodies) {
+    for (std::size_t i = index(body); i > 0; i = index(constants_.tree.rows[i].parent)) on_way_[i] = 1;
+  }
+  ways_.clear();
+  for (std::size_t i = 1; i < on_way_.size(); ++i) {
+    if (on_way_[i] != 0) ways_.push_back(static_cast<int>(i));
+  }
+}
+
+/// Fills motion_ on the ways with the answers to the six unit impulses on one body.
+void TreeResponse::respondTo(int body) const {
+  const auto addScaled = [](Columns& a, const Columns& b, double s) {
+    for (std::size_t k = 0; k < 8; ++k) a.of[k] += b.of[k] * s;
+  };
+  for (const int row : ways_) u_[index(row)] = {};
+  SixColumns inward{};  // -p
+  for (std::size_t r = 0; r < 6; ++r) inward[r].of[r] = 1;
   for (std::size_t i = index(body); i > 0; i = index(constants_.tree.rows[i].parent)) {
     const Joint& joint = joints_[i];
-    u_[i] = dot(joint.S, inward);
-    addScaled(inward, joint.U, -u_[i] * joint.over_D);
+    for (std::size_t r = 0; r < 6; ++r) addScaled(u_[i], inward[r], joint.S[r]);
+    for (std::size_t r = 0; r < 6; ++r) addScaled(inward[r], u_[i], -joint.U[r] * joint.over_D);
   }
-  motion_[0] = base_inverse_ * inward;
-  for (std::size_t i = 1; i < joints_.size(); ++i) {
+  motion_[0] = {};
+  for (std::size_t r = 0; r < 6; ++r) {
+    for (std::size_t s = 0; s < 6; ++s) addScaled(motion_[0][r], inward[s], base_inverse_[r][s]);
+  }
+  for (const int row : ways_) {
+    const std::size_t i = index(row);
     const Joint& joint = joints_[i];
     motion_[i] = motion_[index(constants_.tree.rows[i].parent)];
-    const double ddq = (u_[i] - dot(joint.U, motion_[i])) * joint.over_D;
-    addScaled(motion_[i], joint.S, ddq);
+    Columns ddq{};
+    addScaled(ddq, u_[i], joint.over_D);
+    for (std::size_t r = 0; r < 6; ++r) addScaled(ddq, motion_[i][r], -joint.U[r] * joint.over_D);
+    for (std::size_t r = 0; r < 6; ++r) addScaled(motion_[i][r], ddq, joint.S[r]);
   }
 }
 
 void TreeResponse::respond(std::span<const int> bodies, std::span<double> matrix) const {
+  findWays(bodies);
   const std::size_t width = 6 * bodies.size();
   for (std::size_t j = 0; j < bodies.size(); ++j) {
-    for (std::size_t b = 0; b < 6; ++b) {
-      Six impulse{};
-      impulse[b] = 1;
-      respondTo(bodies[j], impulse);
-      for (std::size_t row = 0; row < width; ++row) {
-        matrix[row * width + 6 * j + b] = motion_[index(bodies[row / 6])][row % 6];
+    respondTo(bodies[j]);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const SixColumns& motion = motion_[index(bodies[i])];
+      for (std::size_t r = 0; r < 6; ++r) {
+        std::copy_n(motion[r].of, 6, matrix.begin() + static_cast<std::ptrdiff_t>((6 * i + r) * width + 6 * j));
       }
     }
   }

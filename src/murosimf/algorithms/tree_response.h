@@ -8,7 +8,8 @@
 /// An impulse f on body k goes inwards, p_k = -f:  u = -S^T p,  p_parent += p + U u / D; the base moves by
 /// -(I^A_0)^-1 p_0, and outwards  ddq = (u - U^T a_parent) / D,  a = a_parent + S ddq.
 /// Grounds do not hold it and servos are as soft as they can be: it promises no more mass than the robot shows.
-/// Cost: about 180 operations a joint, and for each body that is asked for some 6 (36 + 50 joints on the ways).
+/// Cost: about 180 operations a joint, and for each body that is asked for six times 36 and 50 a joint on the ways to
+/// all of them, in registers of four.
 
 #include <array>
 
@@ -38,16 +39,24 @@ class TreeResponse final : public Response {
     Six S{}, U{};
     double over_D = 0;
   };
+  /// Six impulses at once, a column each; as wide as whole registers.
+  struct Columns {
+    double of[8] = {};
+  };
+  using SixColumns = std::array<Columns, 6>;
   void gatherInward();
-  void respondTo(int body, const Six& impulse) const;
+  void findWays(std::span<const int> bodies) const;
+  void respondTo(int body) const;
 
   const Constants& constants_;
   std::vector<Joint> joints_;         // of each row; the base's stays empty
   std::vector<Matrix6> articulated_;  // I^A of each row
   Matrix6 base_inverse_{};
-  // Of one impulse.
-  mutable std::vector<double> u_;
-  mutable std::vector<Six> motion_;
+  // Work of respond().
+  mutable std::vector<int> ways_;           // rows from the base to the bodies that are asked for, without the base
+  mutable std::vector<Columns> u_;          // per row
+  mutable std::vector<SixColumns> motion_;  // per row
+  mutable std::vector<char> on_way_;
 };
 
 }  // namespace murosimf
