@@ -10,7 +10,7 @@ namespace {
 TEST(EveryPair, IsFoundWithTheLeastDepthOverAllDirections) {
   for (int a = 0; a < kCollisionKinds; ++a)
     for (int b = max(a, 1); b < kCollisionKinds; ++b)
-      expectPairToHold(static_cast<CollisionKind>(a), static_cast<CollisionKind>(b), 2000);
+      expectPairToHold(static_cast<CollisionKind>(a), static_cast<CollisionKind>(b), 2000, 5);
 }
 
 }  // namespace

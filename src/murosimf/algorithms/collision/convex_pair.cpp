@@ -17,6 +17,12 @@ struct FacingFeatures {
   }
 };
 
+Vector3 betweenCentres(const ConvexPair& pair) {
+  const Vector3 between = innerPoint(pair.a) - pair.X_AB * innerPoint(pair.b);
+  const double distance = norm(between);
+  return distance > 1e-12 ? between * (1 / distance) : Vector3{0, 0, 1};
+}
+
 /// A face within 3 degrees whose normal is as good as the one that was found, within the search's tolerance, replaces
 /// it: the search knows faces by their corners only.
 bool takeNormalOfFace(const ConvexPair& pair, const FacingFeatures& features, LeastDepth& found) {
@@ -41,10 +47,10 @@ void convexAgainstConvex(const CollisionShape& a, const CollisionShape& b, const
                          ContactManifold& out) {
   out.count = 0;
   const ConvexPair pair{a, b, X_AB};
-  if (squaredNorm(hint) > 0 && pair.depthAlong(hint) <= 0) return;
-  Vector3 start;
-  if (!overlapByPortal(pair, start)) return;
-  LeastDepth found = leastDepth(pair, start);
+  const bool hinted = squaredNorm(hint) > 0;
+  if (hinted && pair.depthAlong(hint) <= 0) return;
+  if (!overlapByPortal(pair)) return;
+  LeastDepth found = leastDepth(pair, hinted ? hint : betweenCentres(pair));
   if (!(found.depth > 0)) return;
   FacingFeatures features;
   features.find(pair, found.normal);

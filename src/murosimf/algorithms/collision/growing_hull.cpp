@@ -1,5 +1,7 @@
 #include "murosimf/algorithms/collision/growing_hull.h"
 
+#include <limits>
+
 namespace murosimf {
 namespace {
 
@@ -41,6 +43,7 @@ bool GrowingHull::start(const int (&corner)[4]) {
 
 void GrowingHull::remove(int i) {
   triangle(i).alive = false;
+  triangle(i).offset = std::numeric_limits<double>::infinity();
   memory_.free[static_cast<std::size_t>(free_++)] = i;
 }
 

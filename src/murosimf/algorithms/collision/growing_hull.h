@@ -17,7 +17,7 @@ struct HullTriangle {
   int vertex[3] = {0, 0, 0};     ///< counterclockwise seen from outside
   int neighbour[3] = {0, 0, 0};  ///< [i] lies beyond the edge from vertex[i] to vertex[(i + 1) % 3]
   Vector3 normal;                ///< outward, unit length
-  double offset = 0;             ///< n.p of its points [m]
+  double offset = 0;             ///< n.p of its points [m]; infinite for triangles that are gone
   bool alive = false;
   bool thin = false;  ///< corners on one line: has no plane of its own and takes its neighbour's
   bool done = false;  ///< free for the caller

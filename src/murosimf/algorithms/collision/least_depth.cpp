@@ -1,5 +1,7 @@
 #include "murosimf/algorithms/collision/least_depth.h"
 
+#include <limits>
+
 #include "murosimf/algorithms/collision/growing_hull.h"
 
 namespace murosimf {
@@ -66,9 +68,10 @@ class DepthSearch {
   }
   int nearestTriangle() const {
     int nearest = -1;
+    double least = std::numeric_limits<double>::infinity();
     for (int i = 0; i < hull_.used(); ++i) {
       const HullTriangle& t = hull_.triangle(i);
-      if (t.alive && !t.thin && (nearest < 0 || t.offset < hull_.triangle(nearest).offset)) nearest = i;
+      if (t.offset < least && !t.thin) least = t.offset, nearest = i;
     }
     return nearest;
   }

@@ -39,21 +39,14 @@ void centre(const void* object, ccd_vec3_t* result) {
 
 }  // namespace
 
-bool overlapByPortal(const ConvexPair& pair, Vector3& normal) {
+bool overlapByPortal(const ConvexPair& pair) {
   ccd_t ccd;
   CCD_INIT(&ccd);
   ccd.support1 = support, ccd.support2 = support;
   ccd.center1 = centre, ccd.center2 = centre;
   ccd.mpr_tolerance = kTolerance;
-  ccd.max_iterations = 100;
   const Side a{pair, false}, b{pair, true};
-  ccd_real_t depth = 0;
-  ccd_vec3_t direction{{0, 0, 0}}, position{{0, 0, 0}};
-  if (ccdMPRPenetration(&a, &b, &ccd, &depth, &direction, &position) != 0) return false;
-  normal = -fromCcd(direction);  // the library's leads from the first to the second
-  const double length = norm(normal);
-  normal = length > 0.5 ? normal * (1 / length) : Vector3{0, 0, 1};
-  return true;
+  return ccdMPRIntersect(&a, &b, &ccd) != 0;
 }
 
 }  // namespace murosimf
