@@ -55,13 +55,15 @@ class SeparatingAxes {
     const double apart = dot(axis, X_.translation);
     const double reach_a = a_.x * abs(axis.x) + a_.y * abs(axis.y) + a_.z * abs(axis.z);
     const double reach_b = b_.x * abs(axis_B.x) + b_.y * abs(axis_B.y) + b_.z * abs(axis_B.z);
-    Axis found{axis, reach_a + reach_b - abs(apart), i, j};
+    const Axis found{apart > 0 ? -axis : axis, reach_a + reach_b - abs(apart), i, j};
     if (!(found.depth > 0)) return false;
-    if (apart > 0) found.normal = -axis;
     if (!taken_ || found.depth < least.depth || (i >= 0 && !least.isEdge())) least = found;
     taken_ = true;
-    const double along = dot(hint_, found.normal);
-    if (along > hinted_along_) hinted_along_ = along, hinted_ = found;
+    const double along = abs(dot(hint_, axis));
+    if (along > hinted_along_) {
+      const Vector3 normal = dot(hint_, axis) < 0 ? -axis : axis;
+      hinted_along_ = along, hinted_ = {normal, reach_a + reach_b + dot(normal, X_.translation), i, j};
+    }
     return true;
   }
 

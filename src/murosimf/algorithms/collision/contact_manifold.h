@@ -34,14 +34,14 @@ struct CandidatePoints {
   static constexpr int kMost = 80;
   ContactPoint points[kMost];
   int count = 0;
-  /// Points that do not overlap are dropped.
-  void add(const Vector3& position, double depth, std::uint32_t feature) {
-    if (depth > 0 && count < kMost) points[count++] = {position, depth, feature};
-  }
+  /// Points that do not overlap are dropped; of points less than 1e-9 m apart the first one stays, with the larger
+  /// depth.
+  void add(const Vector3& position, double depth, std::uint32_t feature);
 };
 
 /// Fills out.points: the deepest candidate, the one farthest from it, the one that spans the largest triangle with both
-/// and the one that adds most area on the other side; all of them where they are no more than four. Needs out.normal.
+/// and the one that adds most area on the other side, as far as there is any; all of them where they are no more than
+/// four. Needs out.normal.
 void chooseFour(const CandidatePoints& candidates, ContactManifold& out);
 
 }  // namespace murosimf
