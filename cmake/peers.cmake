@@ -1,4 +1,5 @@
 # Other simulators, MuJoCo and ODE: referees of tests and peers of benchmarks. Nothing that is installed links them.
+# FCL, a library of collision detection: referee of slow tests; target murosimf_fcl where it was found.
 # Target murosimf_peers exists where both were found; else tests/peers and what needs it in bench/ are left out.
 if(NOT MUROSIMF_PEERS)
   return()
@@ -12,4 +13,11 @@ if(MUROSIMF_MUJOCO_INCLUDE AND MUROSIMF_MUJOCO_LIBRARY AND MUROSIMF_ODE_INCLUDE 
   add_library(murosimf_peers INTERFACE)
   target_include_directories(murosimf_peers SYSTEM INTERFACE "${MUROSIMF_MUJOCO_INCLUDE}" "${MUROSIMF_ODE_INCLUDE}")
   target_link_libraries(murosimf_peers INTERFACE murosimf_scene murosimf_controllers "${MUROSIMF_MUJOCO_LIBRARY}" "${MUROSIMF_ODE_LIBRARY}")
+endif()
+find_package(fcl QUIET)
+if(TARGET fcl)
+  add_library(murosimf_fcl INTERFACE)
+  target_link_libraries(murosimf_fcl INTERFACE fcl)
+  # Debian builds FCL for any x86-64: Eigen's structures in its headers must not take AVX's alignment from our flags.
+  target_compile_definitions(murosimf_fcl INTERFACE EIGEN_MAX_ALIGN_BYTES=16 EIGEN_MAX_STATIC_ALIGN_BYTES=16)
 endif()

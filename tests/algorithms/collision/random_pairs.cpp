@@ -236,6 +236,14 @@ double overlapAlong(const Pair& pair, const Vector3& n) {
   return reach_a + reach_b + dot(n, pair.X_WB.translation - pair.X_WA.translation);
 }
 
+double distanceOutside(const CollisionShape& shape, const Pose& X_WS, const Vector3& p_W) {
+  const Vector3 p = applyInverse(X_WS, p_W);
+  if (shape.kind == CollisionKind::kPlane) return p.z;
+  double most = -kInfinite;
+  for (const Vector3& n : sphereDirections()) most = max(most, dot(n, p) - reach(shape, n));
+  return most;
+}
+
 Sweep sweepDirections(const Pair& pair, Dice& dice) {
   if (pair.a.kind == CollisionKind::kPlane) {
     const Vector3 down = -pair.X_WA.rotation.z;

@@ -48,6 +48,9 @@ double reach(const CollisionShape& shape, const Vector3& n_S);
 /// Overlap along a unit vector from B to A, world.
 double overlapAlong(const Pair& pair, const Vector3& n_W);
 
+/// How far a point lies outside a shape [m], by 642 directions: never more than the truth.
+double distanceOutside(const CollisionShape& shape, const Pose& X_WS, const Vector3& p_W);
+
 /// What a sweep over directions finds.
 struct Sweep {
   double depth = 0;  ///< least overlap [m]; an upper bound of the true one

@@ -88,6 +88,10 @@ void pointOfEdges(const Vector3& a, const CollisionShape& b, const Pose& X_AB, c
   out.count = 1;
 }
 
+Vector3 clamped(const Vector3& p, const Vector3& a) {
+  return {clamp(p.x, -a.x, a.x), clamp(p.y, -a.y, a.y), clamp(p.z, -a.z, a.z)};
+}
+
 }  // namespace
 
 void boxAgainstBox(const CollisionShape& a, const CollisionShape& b, const Pose& X_AB, const Vector3& hint,
@@ -105,8 +109,9 @@ void boxAgainstBox(const CollisionShape& a, const CollisionShape& b, const Pose&
   transformFeature(X_AB, face_b);
   // The face belongs to one of the boxes; the other one's farthest corner is the deepest.
   const bool face_of_a = dot(face_a.normal, axis.normal) < -dot(face_b.normal, axis.normal);
-  const Vector3 tip = face_of_a ? X_AB * supportPoint(b, n_B) - axis.normal * (0.5 * axis.depth)
-                                : supportPoint(a, -axis.normal) + axis.normal * (0.5 * axis.depth);
+  const Vector3 tip = face_of_a ? clamped(X_AB * supportPoint(b, n_B), a.half_size) - axis.normal * (0.5 * axis.depth)
+                                : X_AB * clamped(applyInverse(X_AB, supportPoint(a, -axis.normal)), b.half_size) +
+                                      axis.normal * (0.5 * axis.depth);
   pointsBetween(face_a, face_b, {axis.depth, tip}, out);
 }
 

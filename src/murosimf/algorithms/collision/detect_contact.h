@@ -8,7 +8,7 @@
 ///
 /// The pair is treated in the order of its kinds (of equal kinds: of sizes, then of places), so swapped arguments give
 /// the same bits with the normal turned about. Closed forms are exact to rounding; what is iterative is exact to
-/// 1e-7 m + 1e-4 depth (least_depth.h). Which pair is which, and what it costs: docs/collisions.md.
+/// 2e-7 m + 2e-4 depth (least_depth.h). Which pair is which, and what it costs: docs/collisions.md.
 /// Deterministic; allocates nothing, throws nothing.
 
 #include "murosimf/algorithms/collision/collision_shape.h"

@@ -24,12 +24,13 @@ class DepthSearch {
       if (nearest < 0) break;
       const HullTriangle& t = hull_.triangle(nearest);
       const double depth = addSupport(t.normal);
-      keepBest(t, depth);
-      if (depth <= 0 || depth - t.offset <= kTolerance + kRelativeTolerance * depth) break;
+      if (depth < best_.depth) best_ = {depth, t.normal, {}};
+      if (depth <= 0 || depth - t.offset <= tolerance(depth)) break;
       if (count_ == kPoints) break;
       whole_ = hull_.add(count_ - 1, nearest, kCoplanar);
     }
-    return best_.depth <= 0 || !found_ ? best_ : interpolated();
+    if (best_.depth > 0) interpolate();
+    return best_;
   }
 
  private:
@@ -75,34 +76,64 @@ class DepthSearch {
     }
     return nearest;
   }
-  void keepBest(const HullTriangle& t, double depth) {
-    if (found_ && depth >= best_.depth) return;
-    found_ = true;
-    best_ = {depth, t.normal, {}};
-    for (int k = 0; k < 3; ++k) corner_[k] = static_cast<std::size_t>(t.vertex[k]);
+  static double tolerance(double depth) { return kTolerance + kRelativeTolerance * depth; }
+
+  /// Where the origin's foot stands in a triangle: its shares of the corners, negative outside.
+  struct Foot {
+    double share[3] = {1, 0, 0};
+    std::size_t corner[3] = {0, 0, 0};
+    Vector3 normal;
+    double inside = -std::numeric_limits<double>::infinity();  // the least share
+  };
+  Foot footIn(const HullTriangle& t) const {
+    Foot foot;
+    for (int k = 0; k < 3; ++k) foot.corner[k] = static_cast<std::size_t>(t.vertex[k]);
+    const Vector3 &a = difference_[foot.corner[0]], &b = difference_[foot.corner[1]], &c = difference_[foot.corner[2]];
+    const Vector3 across = cross(b - a, c - a);
+    const double per_area = 1 / dot(t.normal, across);
+    foot.share[0] = dot(t.normal, cross(b, c)) * per_area;
+    foot.share[1] = dot(t.normal, cross(c, a)) * per_area;
+    foot.share[2] = dot(t.normal, cross(a, b)) * per_area;
+    foot.normal = t.normal;
+    foot.inside = min(foot.share[0], min(foot.share[1], foot.share[2]));
+    return foot;
   }
-  /// The origin's foot in the best triangle, by its shares of the corners.
-  LeastDepth interpolated() const {
-    const Vector3 &a = difference_[corner_[0]], &b = difference_[corner_[1]], &c = difference_[corner_[2]];
-    const Vector3& n = best_.normal;
-    double share[3] = {dot(n, cross(b, c)), dot(n, cross(c, a)), dot(n, cross(a, b))};
-    double sum = 0;
-    for (double& s : share) s = max(s, 0.0), sum += s;
-    LeastDepth result = best_;
-    if (!(sum > 0)) {
-      result.midpoint = middle_[corner_[0]];
-      return result;
+  /// A flat part of the surface is made of several triangles that are all nearest; the one in which the foot stands
+  /// tells the points.
+  Foot bestFoot() const {
+    Foot best;
+    const int nearest = nearestTriangle();
+    if (nearest < 0) return best;
+    const double limit = hull_.triangle(nearest).offset + tolerance(best_.depth);
+    for (int i = 0; i < hull_.used(); ++i) {
+      const HullTriangle& t = hull_.triangle(i);
+      if (!t.alive || t.thin || t.offset > limit) continue;
+      const Foot foot = footIn(t);
+      if (foot.inside > best.inside) best = foot;
     }
+    return best;
+  }
+  /// Points by the foot's shares, and the normal too, if that is shallower: on a smooth surface.
+  void interpolate() {
+    Foot foot = bestFoot();
+    double sum = 0;
+    for (double& s : foot.share) s = max(s, 0.0), sum += s;
+    best_.midpoint = {};
     Vector3 smooth;
     for (int k = 0; k < 3; ++k) {
-      result.midpoint += middle_[corner_[k]] * (share[k] / sum);
-      smooth += direction_[corner_[k]] * (share[k] / sum);
+      best_.midpoint += middle_[foot.corner[k]] * (foot.share[k] / sum);
+      smooth += direction_[foot.corner[k]] * (foot.share[k] / sum);
     }
-    if (squaredNorm(smooth) < 0.25) return result;
-    smooth = normalized(smooth);
-    const double depth = pair_.depthAlong(smooth);
-    if (depth < result.depth) result.depth = depth, result.normal = smooth;
-    return result;
+    // The normal of another triangle may be a trace shallower, but belongs to other points.
+    LeastDepth found = best_;
+    found.depth += tolerance(found.depth);
+    attempt(foot.normal, found);
+    if (squaredNorm(smooth) > 0.25) attempt(normalized(smooth), found);
+    if (!(found.normal == best_.normal)) best_ = found;
+  }
+  void attempt(const Vector3& n, LeastDepth& found) const {
+    const double depth = pair_.depthAlong(n);
+    if (depth < found.depth) found.depth = depth, found.normal = n;
   }
 
   const ConvexPair& pair_;
@@ -112,9 +143,8 @@ class DepthSearch {
   int free_[kTriangles];
   GrowingHull hull_;
   int count_ = 0;
-  bool whole_ = false, found_ = false;
+  bool whole_ = false;
   LeastDepth best_;
-  std::size_t corner_[3] = {0, 0, 0};
 };
 
 }  // namespace

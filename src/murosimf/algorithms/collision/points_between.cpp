@@ -106,7 +106,7 @@ void betweenFaceAndLine(const SurfaceFeature& face, const SurfaceFeature& line, 
 /// Both ends of what two parallel lines share, seen along the first.
 void betweenLines(const SurfaceFeature& a, const SurfaceFeature& b, const Vector3& normal, std::uint32_t names,
                   CandidatePoints& out) {
-  constexpr double kSine = 0.0523;  // of 3 degrees
+  constexpr double kSine = 0.005;  // of 0.3 degrees: half a millimetre sideways on ten centimetres
   const Vector3 along_a = a.points[1] - a.points[0], along_b = b.points[1] - b.points[0];
   const double length_a = norm(along_a), length_b = norm(along_b);
   if (!(norm(cross(along_a, along_b)) < kSine * length_a * length_b)) return;
@@ -125,14 +125,14 @@ void betweenLines(const SurfaceFeature& a, const SurfaceFeature& b, const Vector
 
 /// The deepest overlap is exact; candidates near it are made to agree, and where none comes near it joins them.
 void includeDeepest(const DeepestOverlap& overlap, CandidatePoints& candidates) {
-  constexpr double kClose = 1e-3;
+  constexpr double kClose = 0.02, kAtLeast = 1e-6;  // of the depth; [m]
   int best = -1;
   for (int i = 0; i < candidates.count; ++i) {
     ContactPoint& p = candidates.points[i];
     p.depth = min(p.depth, overlap.depth);
     if (best < 0 || p.depth > candidates.points[best].depth) best = i;
   }
-  if (best >= 0 && candidates.points[best].depth > (1 - kClose) * overlap.depth) {
+  if (best >= 0 && candidates.points[best].depth > (1 - kClose) * overlap.depth - kAtLeast) {
     candidates.points[best].depth = overlap.depth;
   } else {
     candidates.add(overlap.midpoint, overlap.depth, 0);
