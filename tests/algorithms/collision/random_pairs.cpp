@@ -23,7 +23,10 @@ const std::deque<ConvexHull>& hulls() {
       for (int k = 0; k < count; ++k) {
         Vector3 p = dice.direction();
         if (i % 4 == 0) p = {(k & 1) != 0 ? 1.0 : -1.0, (k & 2) != 0 ? 1.0 : -1.0, (k & 4) != 0 ? 1.0 : -1.0};
-        if (i % 4 == 1) p = {cos(k / 2 * kPi / 3), sin(k / 2 * kPi / 3), (k & 1) != 0 ? 1.0 : -1.0};
+        if (i % 4 == 1) {
+          const int side = k / 2;
+          p = {cos(side * kPi / 3), sin(side * kPi / 3), (k & 1) != 0 ? 1.0 : -1.0};
+        }
         points.push_back(offset + Vector3{p.x * size.x, p.y * size.y, p.z * size.z});
       }
       made.emplace_back(points);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "murosimf/algorithms/collision/unset_array.h"
 #include "murosimf/math/vec3.h"
 
 namespace murosimf {
@@ -32,7 +33,7 @@ inline const ContactPoint& deepest(const ContactManifold& manifold) {
 /// Contact points of a pair before at most four of them are chosen.
 struct CandidatePoints {
   static constexpr int kMost = 80;
-  ContactPoint points[kMost];
+  UnsetArray<ContactPoint, kMost> points;
   int count = 0;
   /// Points that do not overlap are dropped; of points less than 1e-9 m apart the first one stays, with the larger
   /// depth.

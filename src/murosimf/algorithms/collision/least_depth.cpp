@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "murosimf/algorithms/collision/growing_hull.h"
+#include "murosimf/algorithms/collision/unset_array.h"
 
 namespace murosimf {
 namespace {
@@ -14,7 +15,7 @@ constexpr double kCoplanar = 1e-13;                             // [m] above a t
 class DepthSearch {
  public:
   DepthSearch(const ConvexPair& pair, const Vector3& start)
-      : pair_(pair), hull_({difference_, triangles_, rim_, free_}) {
+      : pair_(pair), hull_({difference_.all(), triangles_.all(), rim_.all(), free_.all()}) {
     whole_ = startTetrahedron(start);
   }
 
@@ -137,10 +138,10 @@ class DepthSearch {
   }
 
   const ConvexPair& pair_;
-  Vector3 difference_[kPoints + 1], middle_[kPoints + 1], direction_[kPoints + 1];
-  HullTriangle triangles_[kTriangles];
-  HullRim rim_[kTriangles];
-  int free_[kTriangles];
+  UnsetArray<Vector3, kPoints + 1> difference_, middle_, direction_;
+  UnsetArray<HullTriangle, kTriangles> triangles_;
+  UnsetArray<HullRim, kTriangles> rim_;
+  UnsetArray<int, kTriangles> free_;
   GrowingHull hull_;
   int count_ = 0;
   bool whole_ = false;

@@ -12,7 +12,7 @@ struct CutCorner {
 constexpr std::uint32_t kCut = 64;
 
 struct CutPolygon {
-  CutCorner corners[2 * SurfaceFeature::kMost];
+  UnsetArray<CutCorner, 2 * SurfaceFeature::kMost> corners;
   int count = 0;
   void add(const Vector3& p, std::uint32_t in, std::uint32_t out) { corners[count++] = {p, in, out}; }
 };

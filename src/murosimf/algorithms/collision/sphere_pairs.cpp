@@ -16,7 +16,7 @@ void finish(const NearestPoint& nearest, double radius, const Pose& X_AB, Contac
   out.count = 1;
 }
 
-Vector3 centre_B(const Pose& X_AB) { return applyInverse(X_AB, Vector3{}); }
+Vector3 centreOfA(const Pose& X_AB) { return applyInverse(X_AB, Vector3{}); }
 
 }  // namespace
 
@@ -30,11 +30,11 @@ void sphereAgainstSphere(const CollisionShape& a, const CollisionShape& b, const
 }
 
 void sphereAgainstBox(const CollisionShape& a, const CollisionShape& b, const Pose& X_AB, ContactManifold& out) {
-  finish(nearestOnBox(centre_B(X_AB), b.half_size), a.half_size.x, X_AB, out);
+  finish(nearestOnBox(centreOfA(X_AB), b.half_size), a.half_size.x, X_AB, out);
 }
 
 void sphereAgainstCapsule(const CollisionShape& a, const CollisionShape& b, const Pose& X_AB, ContactManifold& out) {
-  const Vector3 p_B = centre_B(X_AB);
+  const Vector3 p_B = centreOfA(X_AB);
   const Vector3 on_axis{0, 0, clamp(p_B.z, -b.half_size.z, b.half_size.z)}, gap = p_B - on_axis;
   const double distance = norm(gap);
   const Vector3 normal = distance > 0 ? gap * (1 / distance) : Vector3{1, 0, 0};
@@ -42,15 +42,15 @@ void sphereAgainstCapsule(const CollisionShape& a, const CollisionShape& b, cons
 }
 
 void sphereAgainstCylinder(const CollisionShape& a, const CollisionShape& b, const Pose& X_AB, ContactManifold& out) {
-  finish(nearestOnCylinder(centre_B(X_AB), b.half_size.x, b.half_size.z), a.half_size.x, X_AB, out);
+  finish(nearestOnCylinder(centreOfA(X_AB), b.half_size.x, b.half_size.z), a.half_size.x, X_AB, out);
 }
 
 void sphereAgainstEllipsoid(const CollisionShape& a, const CollisionShape& b, const Pose& X_AB, ContactManifold& out) {
-  finish(nearestOnEllipsoid(centre_B(X_AB), b.half_size), a.half_size.x, X_AB, out);
+  finish(nearestOnEllipsoid(centreOfA(X_AB), b.half_size), a.half_size.x, X_AB, out);
 }
 
 void sphereAgainstConvex(const CollisionShape& a, const CollisionShape& b, const Pose& X_AB, ContactManifold& out) {
-  finish(nearestOnHull(centre_B(X_AB), *b.hull, a.half_size.x), a.half_size.x, X_AB, out);
+  finish(nearestOnHull(centreOfA(X_AB), *b.hull, a.half_size.x), a.half_size.x, X_AB, out);
 }
 
 }  // namespace murosimf

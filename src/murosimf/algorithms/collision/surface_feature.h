@@ -15,7 +15,7 @@ namespace murosimf {
 /// Up to 32 corners of a face, both ends of a line, or nothing where the surface is round.
 struct SurfaceFeature {
   static constexpr int kMost = 32;
-  Vector3 points[kMost];
+  UnsetArray<Vector3, kMost> points;
   int count = 0;           ///< 0: round or a corner; 2: a line; 3 or more: a face, counterclockwise seen from outside
   Vector3 normal;          ///< outward, unit length; of a face only
   std::uint32_t name = 0;  ///< which face or line of its shape
