@@ -73,8 +73,8 @@ const std::vector<Vector3>& sphereDirections() {
 }
 
 Rotation3 quarterTurns(Dice& dice) {
-  const double quarter = 0.5 * kPi;
-  return rotationX(quarter * dice.below(4)) * (rotationY(quarter * dice.below(4)) * rotationZ(quarter * dice.below(4)));
+  const double quarter = 0.5 * kPi, x = quarter * dice.below(4), y = quarter * dice.below(4);
+  return rotationX(x) * (rotationY(y) * rotationZ(quarter * dice.below(4)));
 }
 
 Vector3 axisOf(const Rotation3& R, int number) { return number == 0 ? R.x : number == 1 ? R.y : R.z; }
@@ -193,7 +193,9 @@ Pair randomPair(CollisionKind a, CollisionKind b, Dice& dice) {
   Vector3 direction = a == CollisionKind::kPlane ? -pair.X_WA.rotation.z : dice.direction();
   if (pair.aligned) {
     constexpr double kTilts[4] = {1e-2, 1e-5, 1e-9, 0};
-    const Rotation3 turn = quarterTurns(dice), tilt = rotationExp(dice.direction() * kTilts[dice.below(4)]);
+    const Rotation3 turn = quarterTurns(dice);
+    const Vector3 axis = dice.direction();
+    const Rotation3 tilt = rotationExp(axis * kTilts[dice.below(4)]);
     pair.X_WB.rotation = pair.X_WA.rotation * turn * tilt;
     if (dice.below(2) == 0 && a != CollisionKind::kPlane) direction = axisOf(pair.X_WA.rotation, dice.below(3));
   }

@@ -25,7 +25,10 @@ struct Dice {
     return {s * cos(angle), s * sin(angle), z};
   }
   Vector3 inBox(double size) { return {uniform(-size, size), uniform(-size, size), uniform(-size, size)}; }
-  Rotation3 rotation() { return orthonormalized(rotationExp(direction() * uniform(0, 3.1))); }
+  Rotation3 rotation() {
+    const Vector3 axis = direction();  // first: compilers differ in the order of operands
+    return orthonormalized(rotationExp(axis * uniform(0, 3.1)));
+  }
   Pose pose() { return {rotation(), inBox(10)}; }
 };
 
