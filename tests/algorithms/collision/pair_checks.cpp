@@ -131,11 +131,11 @@ void expectPairToHold(CollisionKind a, CollisionKind b, int poses, int sweep_eve
   std::printf("%s\n", text.c_str());
   std::fflush(stdout);
   EXPECT_GT(r.touching, poses / 2) << text;
-  for (const int count : {r.unseen, r.phantom, r.unequal, r.moving, r.inside, r.inexact, r.astray})
-    EXPECT_EQ(count, 0) << text;
-  EXPECT_LE(r.astray, 1e-3 * r.swept) << text;
-  EXPECT_LE(r.too_deep, 1e-3 * r.swept) << text;
-  EXPECT_LE(r.other_normal, 1e-3 * r.unique) << text;
+  for (const int count : {r.unseen, r.phantom, r.unequal, r.moving, r.inside, r.inexact}) EXPECT_EQ(count, 0) << text;
+  const auto few = [](int poses_swept) { return max(1.0, 1e-3 * poses_swept); };
+  EXPECT_LE(r.astray, few(r.swept)) << text;
+  EXPECT_LE(r.too_deep, few(r.swept)) << text;
+  EXPECT_LE(r.other_normal, few(r.unique)) << text;
 }
 
 }  // namespace murosimf::collision_test
