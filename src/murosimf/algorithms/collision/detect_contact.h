@@ -18,7 +18,8 @@ namespace murosimf {
 
 /// Overwrites `out`; out.count is 0 where the shapes do not touch, and always for two planes. Sizes > 0.
 /// @param last_normal  the normal of the same pair in the frame before, zero for none. Deeply overlapping boxes keep
-///                     it (collision_pairs.h); elsewhere it only saves time where it still separates the shapes.
+///                     it (collision_pairs.h); elsewhere a search starts there, or is saved where it still separates
+///                     the shapes; the result is the same within its accuracy. Unit length.
 void detectContact(const CollisionShape& a, const Pose& X_WA, const CollisionShape& b, const Pose& X_WB,
                    ContactManifold& out, const Vector3& last_normal = {});
 
