@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <tuple>
 
 #include "scene/built_world.h"
@@ -32,6 +33,9 @@ class Robots {
   void put(std::size_t i, const Pose& X_WB, const Vector3& v_B = {}) {
     base(i).set(X_WB);
     motion(i).set({{}, v_B});
+  }
+  void place(std::size_t i, const PlanarPose& pose) {
+    simulation_->interventions().placeRobot(simulation_->frame(), robots_[i], pose);
   }
   double speed(std::size_t i) { return falls(i) ? norm(motion(i).get().v) : 0; }
   double fastest() {
@@ -123,6 +127,30 @@ TEST_P(RobotOntoRobot, FallsAndLiesThereWithoutSinkingIn) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, RobotOntoRobot, testing::Combine(testing::ValuesIn(kAll), testing::ValuesIn(kAll)),
+                         nameOf);
+
+class RobotIntoRobot : public testing::TestWithParam<TwoMotions> {};
+
+TEST_P(RobotIntoRobot, PutThereByAHandPartsSlowly) {
+  const auto [red, blue] = GetParam();
+  Robots two({red, blue});
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (int k = 0; k < 10; ++k) {
+    const PlanarPose place{0.1 * number(random), 0.1 * number(random), kPi * number(random)};
+    two.place(0, {0, 0, 0});
+    two.place(1, place);
+    double fastest = 0;
+    for (int i = 0; i < 300; ++i) {
+      two.simulation().step();
+      fastest = std::max(fastest, two.fastest());
+    }
+    EXPECT_LT(fastest, 4) << k << ": " << place.x << " " << place.y << " " << place.heading;
+  }
+  EXPECT_TRUE(two.simulation().guard().faults().empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, RobotIntoRobot, testing::Combine(testing::ValuesIn(kAll), testing::ValuesIn(kAll)),
                          nameOf);
 
 TEST(RobotHeap, OfSixComesToRest) {

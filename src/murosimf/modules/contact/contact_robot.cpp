@@ -6,7 +6,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "murosimf/algorithms/partner_path.h"
 #include "murosimf/math/random.h"
 #include "murosimf/world/vocabulary.h"
 
@@ -56,7 +55,10 @@ ContactRobot::ContactRobot(const World& world, LinkedWorld& linked, ObjectId rob
       pair_touch_(linked.handle(robot, kPairTouch)),
       joints_yield_(linked.handle(robot, kJointsYield)),
       shown_(linked.handle(robot, kPlacementsShown)),
-      pair_force_(linked.handle(robot, kPairForce, subset::kBodies)) {
+      pair_force_(linked.handle(robot, kPairForce, subset::kBodies)),
+      base_velocity_(linked.handle(robot, kBaseVelocity)),
+      dq_(linked.handle(robot, kJointVelocity, subset::kJoints)),
+      resident_(&linked.residentOf(robot)) {
   findReach(world);
   int rows = 1;
   for (const Obstacle& shape : shapes_) rows = std::max(rows, shape.row + 1);
@@ -112,6 +114,32 @@ void ContactRobot::begin(long frame, double dt) {
   rows_.clear();
   frame_ = frame, dt_ = dt;
   begin_ = path_.contactShareAt(frame), end_ = path_.contactShareAfter(frame);
+  forgetWhatWasMoved();
+}
+
+/// What it did before a hand put it elsewhere, or on another level of detail, tells nothing of what acts on it now.
+void ContactRobot::forgetWhatWasMoved() {
+  const double placements = shown_.valid() ? shown_.get() : 0;
+  if (placements == placements_ && resident_->level == level_) return;
+  placements_ = placements;
+  level_ = resident_->level;
+  for (Memory& memory : memory_) memory.frame = -2;
+}
+
+/// Of a body's origin at the frame's start, world axes: the way that it went in the last step tells the mean over it.
+SpatialMotion<double> ContactRobot::motionOf(int row) const {
+  const Pose X_WB = bodyPose(row);
+  if (row == 0) {
+    const SpatialMotion<double> V = base_velocity_.get();
+    return {X_WB.rotation * V.w, X_WB.rotation * V.v};
+  }
+  const TreeRow& joint = yielding_->tree.rows[index(row)];
+  const SpatialMotion<double> parent = motionOf(joint.parent);
+  const Vector3 way = X_WB.translation - bodyPose(joint.parent).translation;
+  const Rotation3& R = X_WB.rotation;
+  const Vector3 rate = (joint.axis == 0 ? R.x : joint.axis == 1 ? R.y : R.z) * dq_.get(row - 1);
+  const bool turns = joint.kind == JointKind::kRevolute;
+  return {turns ? parent.w + rate : parent.w, parent.v + cross(parent.w, way) + (turns ? Vector3{} : rate)};
 }
 
 int ContactRobot::partner(int row, FrameContacts& frame, int number) {
@@ -128,9 +156,10 @@ int ContactRobot::partner(int row, FrameContacts& frame, int number) {
   partner.kind = PartnerKind::kResponsive;
   partner.responder = number;
   partner.body = row;
-  const PartnerPath path = pathOf(partner, dt_);
   Memory& memory = memory_[index(row)];
-  const SpatialMotion<double> motion{path.angular_velocity, path.velocity};
+  const SpatialMotion<double> motion = motionOf(row);
+  partner.X_end = {rotationExp(motion.w * dt_) * partner.X_start.rotation,
+                   partner.X_start.translation + motion.v * dt_};
   const bool known_before = memory.frame == frame_ - 1;
   const SpatialMotion<double> drift =
       known_before ? (motion - memory.motion - memory.recoil) * (1 / dt_) : SpatialMotion<double>{{}, frame.gravity};

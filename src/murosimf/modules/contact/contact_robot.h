@@ -75,7 +75,7 @@ class ContactRobot {
 
   void feel(int sensor, double force) { push_.set(push_.get(sensor) + force, sensor); }
   void clearSensors();
-  void archive(StateArchive& archive) { archive(memory_); }
+  void archive(StateArchive& archive) { archive(memory_, level_, placements_); }
 
  private:
   /// What a body did in the last frame in which it was a partner; v of its origin, world axes.
@@ -83,6 +83,8 @@ class ContactRobot {
     long frame = -2;
     SpatialMotion<double> motion, recoil;
   };
+  SpatialMotion<double> motionOf(int row) const;
+  void forgetWhatWasMoved();
   void findReach(const World& world);
   void readMasses(const World& world);
 
@@ -94,9 +96,14 @@ class ContactRobot {
   bool may_recoil_ = false;
   Handle<double> push_, pair_touch_, joints_yield_, shown_;
   Handle<SpatialForce<double>> pair_force_;
+  Handle<SpatialMotion<double>> base_velocity_;
+  Handle<double> dq_;
+  const Resident* resident_;
   std::unique_ptr<TreeResponse::Constants> yielding_, held_;  // null where the robot never recoils
   std::unique_ptr<TreeResponse> responses_[2];                // joints held, joints yield
   std::vector<Memory> memory_;                                // per row
+  int level_ = 0;                                             // at which it is of
+  double placements_ = 0;                                     // after so many of them
 
   // Of the frame.
   long frame_ = 0;

@@ -40,6 +40,8 @@ const OutsideAccess& PairPhase::robotAccess() {
     d.sets(kPairTouch);
     d.readsIfAdded(kJointsYield);
     d.readsIfAdded(kPlacementsShown);
+    d.readsIfAdded(kBaseVelocity);
+    d.readsIfAdded(kJointVelocity, subset::kJoints);
     d.adds(kPushForce, subset::kTouchSensors);
   });
   return access;
