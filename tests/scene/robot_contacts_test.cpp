@@ -43,6 +43,36 @@ class Robots {
     for (std::size_t i = 0; i < count(); ++i) speed_of_all = std::max(speed_of_all, speed(i));
     return speed_of_all;
   }
+  /// Of the robot's bodies over the last step: translation, and turning about the centres of mass [J].
+  double kineticEnergy(std::size_t i) {
+    const BodyPath path(simulation_->linked(), robots_[i]);
+    double sum = 0;
+    int row = 0;
+    for (const ObjectId body : simulation_->world().members(robots_[i], subset::kBodies)) {
+      const RigidInertia<double> inertia = *simulation_->world().find(body, kBodyInertia);
+      const Vector3 p_BC = inertia.mc * (1 / std::max(inertia.m, 1e-9));
+      const RigidInertia<double> about_centre = shifted(inertia, -p_BC);
+      const Pose last = path.last(row), end = path.end(row);
+      const double per_second = 1 / simulation_->frameLength();
+      const Vector3 v = (end * p_BC - last * p_BC) * per_second;
+      const Vector3 w_B = rotationLog(transposed(last.rotation) * end.rotation) * per_second;
+      sum += 0.5 * (inertia.m * squaredNorm(v) + dot(w_B, about_centre.I * w_B));
+      ++row;
+    }
+    return sum;
+  }
+  /// Height of the lowest point of its shapes that collide.
+  double lowestPoint(std::size_t i) {
+    const BodyPath path(simulation_->linked(), robots_[i]);
+    double lowest = 1e9;
+    for (const PlacedShape& s : *simulation_->world().findShared(robots_[i], kShapes)) {
+      if (!s.collides) continue;
+      const Pose X_WS = path.end(s.row) * s.X_BS;
+      const Vector3 down_S = applyTransposed(X_WS.rotation, Vector3{0, 0, -1});
+      lowest = std::min(lowest, (X_WS * supportPoint(collisionShapeOf(s.shape), down_S)).z);
+    }
+    return lowest;
+  }
   /// Of all contacts of the last frame.
   double deepest() const {
     double depth = 0;
@@ -128,6 +158,47 @@ TEST_P(RobotOntoRobot, FallsAndLiesThereWithoutSinkingIn) {
 
 INSTANTIATE_TEST_SUITE_P(Levels, RobotOntoRobot, testing::Combine(testing::ValuesIn(kAll), testing::ValuesIn(kAll)),
                          nameOf);
+
+struct Fall {
+  const char *motion, *side;
+  double roll, pitch;  ///< from standing, on the way down [rad]
+  double seconds;      ///< until it lies still: the way down, and whoever lies on an arm rolls over
+};
+std::string nameOfFall(const testing::TestParamInfo<Fall>& test) {
+  return std::string(test.param.motion) + "_" + test.param.side;
+}
+
+class RobotThatFalls : public testing::TestWithParam<Fall> {};
+
+TEST_P(RobotThatFalls, LiesStillInTimeAndSinksNowhere) {
+  const Fall& fall = GetParam();
+  Robots one({fall.motion});
+  const Pose standing = one.base(0).get();
+  one.put(0, {fromRollPitchYaw(Vector3{fall.roll, fall.pitch, 0.0}), standing.translation + Vector3{0, 0, 0.05}});
+  while (one.simulation().time() < fall.seconds - 0.2) one.simulation().step();
+  double fastest = 0;
+  for (int i = 0; i < 200; ++i) {
+    one.simulation().step();
+    fastest = std::max(fastest, one.kineticEnergy(0));
+  }
+  EXPECT_LT(fastest, 1e-4) << "[J]";
+  EXPECT_LT(one.base(0).get().rotation.z.z, 0.5) << "it was to lie";
+  EXPECT_LT(-one.lowestPoint(0), 5e-3);
+}
+
+std::vector<Fall> falls() {
+  std::vector<Fall> all;
+  for (const char* motion : {"simplified_dynamics", "multibody_dynamics"}) {
+    const double on_its_side = std::string_view(motion) == "multibody_dynamics" ? 3.6 : 2.2;
+    all.push_back({motion, "on_its_face", 0, 0.6, 2});
+    all.push_back({motion, "on_its_back", 0, -0.6, 2});
+    all.push_back({motion, "on_its_right_side", 0.7, 0, on_its_side});
+    all.push_back({motion, "on_its_left_side", -0.7, 0, on_its_side});
+  }
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, RobotThatFalls, testing::ValuesIn(falls()), nameOfFall);
 
 class RobotIntoRobot : public testing::TestWithParam<TwoMotions> {};
 
