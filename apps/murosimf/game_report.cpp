@@ -132,6 +132,28 @@ void addExchanges(nlohmann::ordered_json& report, const Scene& scene, const Exch
   }
 }
 
+void addIntegration(nlohmann::ordered_json& report, const IntegrationStatistics& statistics,
+                    const Simulation& simulation) {
+  for (const IntegrationStatistics::Robot& robot : statistics.robots()) {
+    report["integration"].push_back({{"robot", simulation.world().path(robot.object)},
+                                     {"substeps_mean", robot.substeps / static_cast<double>(robot.frames)},
+                                     {"substeps_most", robot.most_substeps},
+                                     {"largest_error", robot.largest_error},
+                                     {"faulty_frames", robot.faulty_frames}});
+  }
+}
+
+nlohmann::ordered_json contactFigures(const ContactStatistics::Counts& counts) {
+  const auto mean = [&](long sum) {
+    return static_cast<double>(sum) / static_cast<double>(std::max(counts.frames, 1L));
+  };
+  return {{"robot_pairs_near_mean", mean(counts.robots)},
+          {"shape_pairs_tested_mean", mean(counts.tested)},
+          {"points_mean", mean(counts.found)},
+          {"points_most", counts.most_found},
+          {"deepest", counts.deepest}};
+}
+
 nlohmann::ordered_json paceFigures(const PaceReport& pace) {
   return {{"frames", pace.frames},       {"deadline_misses", pace.misses}, {"worst_lateness", pace.worst_lateness},
           {"jitter_50", pace.jitter_50}, {"jitter_90", pace.jitter_90},    {"jitter_99", pace.jitter_99}};

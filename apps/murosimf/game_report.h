@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "murosimf/scene/scene.h"
+#include "murosimf/simulation/contact_statistics.h"
 #include "murosimf/simulation/exchange_statistics.h"
+#include "murosimf/simulation/integration_statistics.h"
 #include "murosimf/simulation/pacer.h"
 #include "murosimf/soccer/match_statistics.h"
 #include "murosimf/soccer/percept_statistics.h"
@@ -20,6 +22,11 @@ void addPercepts(nlohmann::ordered_json& report, const PerceptStatistics& statis
 /// Per robot with several levels of detail: seconds at each, exchanges, and what kinematic walking flattened at most.
 void addExchanges(nlohmann::ordered_json& report, const Scene& scene, const ExchangeStatistics& statistics,
                   const Simulation& simulation);
+/// Per robot whose integrator chooses its steps: how many, its error, and frames that it could not finish.
+void addIntegration(nlohmann::ordered_json& report, const IntegrationStatistics& statistics,
+                    const Simulation& simulation);
+/// Contacts of robots with one another and with posts, a frame.
+nlohmann::ordered_json contactFigures(const ContactStatistics::Counts& counts);
 nlohmann::ordered_json paceFigures(const PaceReport& pace);
 
 }  // namespace murosimf

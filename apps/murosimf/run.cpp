@@ -74,6 +74,9 @@ void Run::addObservers() {
   control.observe(keeper_.get());
   exchanges_ = std::make_unique<ExchangeStatistics>(*simulation_);
   simulation_->observe(exchanges_.get());
+  integration_ = std::make_unique<IntegrationStatistics>(*simulation_);
+  simulation_->observe(integration_.get());
+  simulation_->observe(&contacts_);
   simulation_->observe(&hashes_);
   const std::string record = chosenFile(arguments_.record, *scene_.output.record);
   if (!record.empty()) {
@@ -141,6 +144,8 @@ nlohmann::ordered_json Run::report() {
   if (referee_ != nullptr) addMatch(report, *referee_, *match_);
   if (percepts_ != nullptr) addPercepts(report, *percepts_, *simulation_);
   addExchanges(report, scene_, *exchanges_, *simulation_);
+  addIntegration(report, *integration_, *simulation_);
+  report["robot_contacts"] = contactFigures(contacts_.counts());
   addFrozenRobots(report, *simulation_);
   return report;
 }

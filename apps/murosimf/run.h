@@ -8,8 +8,10 @@
 #include "murosimf/commands.h"
 #include "murosimf/game.h"
 #include "murosimf/report.h"
+#include "murosimf/simulation/contact_statistics.h"
 #include "murosimf/simulation/exchange_statistics.h"
 #include "murosimf/simulation/film.h"
+#include "murosimf/simulation/integration_statistics.h"
 #include "murosimf/simulation/pacer.h"
 #include "murosimf/simulation/percept_overlay.h"
 #include "murosimf/simulation/recorder.h"
@@ -53,6 +55,8 @@ class Run {
   std::unique_ptr<PerceptStatistics> percepts_;
   std::unique_ptr<PerceptKeeper> keeper_;
   std::unique_ptr<ExchangeStatistics> exchanges_;
+  std::unique_ptr<IntegrationStatistics> integration_;
+  ContactStatistics contacts_;
   std::unique_ptr<Recorder> recorder_;
   std::unique_ptr<Film> film_;
   std::unique_ptr<Pacer> pacer_;
