@@ -97,9 +97,9 @@ class Robots {
   static std::string textOf(const std::vector<std::string>& motions) {
     std::string text = kHead;
     for (std::size_t i = 0; i < motions.size(); ++i) {
-      const auto column = static_cast<double>(i % 3), row = static_cast<double>(i / 3);
-      text += fmt::format("[robots.red.{}]\npose = [{}, {}, 0]\nmotion = \"{}\"\n", i + 1, 0.8 * column, 0.8 * row,
-                          motions[i]);
+      const std::size_t column = i % 3, row = i / 3;
+      text += fmt::format("[robots.red.{}]\npose = [{}, {}, 0]\nmotion = \"{}\"\n", i + 1,
+                          0.8 * static_cast<double>(column), 0.8 * static_cast<double>(row), motions[i]);
     }
     return text;
   }
