@@ -95,12 +95,18 @@ void Run::openFilm() {
     return referee_ == nullptr ? fmt::format("T {:.2f}", time)
                                : gameCaption(time, referee_->score(Team::kRed), referee_->score(Team::kBlue));
   };
-  settings.tag_text = [this](int robot) {
-    return simulation_->guard().frozen(static_cast<std::size_t>(robot)) ? "frozen"
-                                                                        : std::string(keeper_->activity(robot));
-  };
+  settings.tag_text = [this](int robot) { return tagOf(robot); };
   film_ = std::make_unique<Film>(*simulation_, std::move(settings));
   simulation_->observe(film_.get());
+}
+
+/// What a robot is at, and how hard its motion is to integrate where its integrator chooses its steps.
+std::string Run::tagOf(int robot) const {
+  if (simulation_->guard().frozen(static_cast<std::size_t>(robot))) return "frozen";
+  const std::string activity(keeper_->activity(robot));
+  const int substeps = integration_->substeps(robot);
+  if (substeps == 0) return activity;
+  return fmt::format("{} {} steps, error {:.0e}", activity, substeps, integration_->error(robot));
 }
 
 std::string Run::scoreText() const {

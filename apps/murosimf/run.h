@@ -41,6 +41,7 @@ class Run {
   void addObservers();
   void openFilm();
   void step();
+  std::string tagOf(int robot) const;
   std::string scoreText() const;
   nlohmann::ordered_json report();
   std::filesystem::path output(const std::string& file) const;

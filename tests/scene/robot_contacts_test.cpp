@@ -5,6 +5,7 @@
 #include <random>
 #include <tuple>
 
+#include "murosimf/simulation/state_hash.h"
 #include "scene/built_world.h"
 
 namespace murosimf::test {
@@ -224,6 +225,33 @@ TEST_P(RobotIntoRobot, PutThereByAHandPartsSlowly) {
 
 INSTANTIATE_TEST_SUITE_P(Levels, RobotIntoRobot, testing::Combine(testing::ValuesIn(kAll), testing::ValuesIn(kAll)),
                          nameOf);
+
+/// State of a crowd that pushes, of all levels of detail and with two integrators, after half a second.
+std::uint64_t crowdOf(const std::string& lanes) {
+  const char* const settings[] = {
+      "level = \"full\"",      "level = \"fast\"", "level = \"full\"\nintegration = \"midpoint\"",
+      "level = \"kinematic\"", "level = \"full\"", "level = \"fast\""};
+  std::string text = kHead;
+  for (int i = 0; i < 6; ++i) {
+    text += fmt::format("[robots.red.{}]\npose = [{}, {}, {}]\n{}\n", i + 1, 0.17 * (i % 3), 0.18 * (i / 3), 0.9 * i,
+                        settings[i]);
+  }
+  BuiltWorld built(text, {"simulation.lanes=" + lanes});
+  const auto simulation = built.simulation();
+  long touched = 0;
+  for (int i = 0; i < 500; ++i) {
+    simulation->step();
+    touched += simulation->pairs().counts().found;
+  }
+  EXPECT_GT(touched, 500);
+  return simulation->stateHash();
+}
+
+TEST(RobotCrowd, HasTheSameBitsInLanesOfAnyWidth) {
+  const std::uint64_t alone = crowdOf("1");
+  EXPECT_EQ(alone, crowdOf("4"));
+  EXPECT_EQ(alone, crowdOf("8"));
+}
 
 TEST(RobotHeap, OfSixComesToRest) {
   Robots six(std::vector<std::string>(6, "multibody_dynamics"));

@@ -22,6 +22,15 @@ class IntegrationStatistics final : public FrameObserver {
   explicit IntegrationStatistics(Simulation& simulation);
   void afterFrame(Simulation& simulation) override;
   void archive(StateArchive& archive) override;
+  /// Of a robot in the last frame, by its number; 0 where its integrator tells of none.
+  int substeps(int robot) const {
+    const Handle<double>& told = watches_[static_cast<std::size_t>(robot)].substeps;
+    return told.valid() ? static_cast<int>(told.get()) : 0;
+  }
+  double error(int robot) const {
+    const Handle<double>& told = watches_[static_cast<std::size_t>(robot)].error;
+    return told.valid() ? told.get() : 0;
+  }
   /// Those that told something.
   std::vector<Robot> robots() const;
 
