@@ -233,8 +233,8 @@ std::uint64_t crowdOf(const std::string& lanes) {
       "level = \"kinematic\"", "level = \"full\"", "level = \"fast\""};
   std::string text = kHead;
   for (int i = 0; i < 6; ++i) {
-    text += fmt::format("[robots.red.{}]\npose = [{}, {}, {}]\n{}\n", i + 1, 0.17 * (i % 3), 0.18 * (i / 3), 0.9 * i,
-                        settings[i]);
+    text += fmt::format("[robots.red.{}]\npose = [{}, {}, {}]\n{}\n", i + 1, 0.17 * (i % 3), i < 3 ? 0.0 : 0.18,
+                        0.9 * i, settings[i]);
   }
   BuiltWorld built(text, {"simulation.lanes=" + lanes});
   const auto simulation = built.simulation();
