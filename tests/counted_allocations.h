@@ -23,6 +23,8 @@ inline void* countedMemory(std::size_t size, std::size_t alignment = alignof(std
 
 }  // namespace murosimf::test
 
+// Replacements cannot be inline.
+// NOLINTBEGIN(misc-definitions-in-headers)
 void* operator new(std::size_t size) { return murosimf::test::countedMemory(size); }
 void* operator new[](std::size_t size) { return murosimf::test::countedMemory(size); }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return murosimf::test::countedMemory(size); }
@@ -43,3 +45,4 @@ void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
 void operator delete[](void* p, std::align_val_t) noexcept { std::free(p); }
 void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
 void operator delete[](void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
+// NOLINTEND(misc-definitions-in-headers)
