@@ -51,7 +51,7 @@ const std::map<std::string, std::vector<std::string>> kExpected = {
      {"3:1: error: unknown key \"brightnes\" in field, expected one of its 19 keys (did you mean \"brightness\"?)",
       "5:2: error: unknown key \"balls\", expected \"simulation\", \"field\", \"ball\", \"surfaces\", \"teams\", "
       "\"robots\", \"referee\" or \"output\" (did you mean \"ball\"?)",
-      "11:1: error: unknown key \"moton\" in robots.red.1, expected one of its 26 keys (did you mean \"motion\"?)"}},
+      "11:1: error: unknown key \"moton\" in robots.red.1, expected one of its 27 keys (did you mean \"motion\"?)"}},
     {"unknown_preset",
      {"2:10: error: preset is text \"2025_kit\", expected \"2007\" or \"2025_kid\" (did you mean \"2025_kid\"?)"}},
     {"unknown_team",

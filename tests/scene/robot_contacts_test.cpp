@@ -18,7 +18,8 @@ const std::string kHead =
 /// Robots that hold their first posture and are moved about by the test.
 class Robots {
  public:
-  explicit Robots(const std::vector<std::string>& motions) : built_(textOf(motions)), simulation_(built_.simulation()) {
+  explicit Robots(const std::vector<std::string>& motions, const std::vector<std::string>& overrides = {})
+      : built_(textOf(motions), overrides), simulation_(built_.simulation()) {
     for (std::size_t i = 0; i < motions.size(); ++i) {
       robots_.push_back(simulation_->world().find(fmt::format("robots.red.{}", i + 1)));
     }
@@ -136,12 +137,22 @@ TEST_P(RobotsInFlight, KeepTheirMomentumWhenTheyCollide) {
 INSTANTIATE_TEST_SUITE_P(Levels, RobotsInFlight,
                          testing::Combine(testing::ValuesIn(kDynamic), testing::ValuesIn(kDynamic)), nameOf);
 
+TEST(RobotsInFlight, WhoDoesNotRecoilPushesAndKeepsItsWay) {
+  Robots two({"simplified_dynamics", "multibody_dynamics"}, {"robots.red.1.recoil=none"});
+  two.put(0, {{}, {0, 0, 2}}, {2, 0, 0});
+  two.put(1, {{}, {0.3, 0.03, 2}});
+  for (int i = 0; i < 2; ++i) two.simulation().step();
+  const double before = two.momentum(0).x;
+  for (int i = 0; i < 400; ++i) two.simulation().step();
+  EXPECT_NEAR(two.momentum(0).x, before, 1e-6);
+  EXPECT_GT(two.momentum(1).x, 1) << "it was to be pushed";
+}
+
 class RobotOntoRobot : public testing::TestWithParam<TwoMotions> {};
 
 TEST_P(RobotOntoRobot, FallsAndLiesThereWithoutSinkingIn) {
   const auto [upper, lower] = GetParam();
   Robots two({upper, lower});
-  if (!two.falls(0)) GTEST_SKIP() << "kinematic robots do not fall";
   const Pose X_WB = two.base(1).get();
   two.put(0, {rotationY(kPi / 2), X_WB.translation + Vector3{0.02, 0.01, 0.5}});
   double deepest = 0, fastest = 0;
@@ -158,7 +169,10 @@ TEST_P(RobotOntoRobot, FallsAndLiesThereWithoutSinkingIn) {
   EXPECT_TRUE(two.simulation().guard().faults().empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, RobotOntoRobot, testing::Combine(testing::ValuesIn(kAll), testing::ValuesIn(kAll)),
+// Kinematic robots do not fall.
+INSTANTIATE_TEST_SUITE_P(Levels, RobotOntoRobot,
+                         testing::Combine(testing::Values("simplified_dynamics", "multibody_dynamics"),
+                                          testing::ValuesIn(kAll)),
                          nameOf);
 
 struct Fall {

@@ -15,7 +15,7 @@ namespace murosimf {
 /// Slots of a robot that take one module each.
 inline constexpr std::string_view kModuleSlots[] = {
     "motion",  "electronics", "actuation", "velocities", "kinematics",    "collision", "contact", "integration",
-    "sensing", "pressure",    "torque",    "limits",     "accelerations", "touch",     "force"};
+    "sensing", "pressure",    "torque",    "limits",     "accelerations", "touch",     "force",   "recoil"};
 
 /// The key of a robot's table that its name alone stands for: `control = "player"` is `control = {program = "player"}`.
 std::string_view nameKeyOf(std::string_view table);

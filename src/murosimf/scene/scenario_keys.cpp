@@ -120,6 +120,7 @@ constexpr ScenarioKey kKeys[] = {
     plainKey(kRobot, "force", kModule, "", "module; default: the level's"),
     plainKey(kRobot, "limits", kModule, "", "module; default: the level's"),
     plainKey(kRobot, "accelerations", kModule, "", "module; default: the level's"),
+    plainKey(kRobot, "recoil", kModule, "", "module; default: the level's"),
     plainKey(kRobot, "focus", kTable, "", "another motion near the ball and other robots, see below"),
     plainKey(kRobot, "modules", kTable, "", "further modules by name, `modules.NAME = {PARAMETER = VALUE}`"),
     plainKey(kRobot, "cameras", kTable, "", "per camera of the robot file a module, `ray_caster` or `none`"),
