@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "algorithms/random_tree.h"
 #include "algorithms/rigid_response.h"
@@ -47,7 +46,7 @@ TEST(TreeResponse, EqualsTheAccelerationsOfForwardDynamicsAtRest) {
   for (const int joints : {0, 1, 3, 8, 21, 40}) {
     AtRest robot(joints, static_cast<unsigned>(7 + joints));
     TreeResponse response(robot.constants);
-    response.place(robot.X_WB);
+    response.place(robot.X_WB, true);
     const std::vector<int> bodies{0, joints / 2, joints};
     std::vector<double> matrix(36 * bodies.size() * bodies.size());
     response.respond(bodies, matrix);
@@ -74,7 +73,7 @@ TEST(TreeResponse, EqualsTheAccelerationsOfForwardDynamicsAtRest) {
 TEST(TreeResponse, OfALoneBodyIsThatOfARigidOne) {
   AtRest robot(0, 5);
   TreeResponse tree(robot.constants);
-  tree.place(robot.X_WB);
+  tree.place(robot.X_WB, true);
   const RigidInertia<double>& body = robot.tree.inertia[0];
   const Rotation3& R = robot.rotation(0);
   const Vector3 com = body.mc * (1 / body.m);
@@ -94,9 +93,8 @@ TEST(TreeResponse, OfALoneBodyIsThatOfARigidOne) {
 
 TEST(TreeResponse, OfJointsThatAreHeldIsThatOfTheWholeTreeAsOneBody) {
   AtRest robot(12, 3);
-  std::fill(robot.constants.armature.begin(), robot.constants.armature.end(), std::numeric_limits<double>::infinity());
   TreeResponse response(robot.constants);
-  response.place(robot.X_WB);
+  response.place(robot.X_WB, false);
   const int bodies[] = {0, 5, 12};
   std::vector<double> matrix(36 * 9);
   response.respond(bodies, matrix);

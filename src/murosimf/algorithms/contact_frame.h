@@ -52,7 +52,7 @@ struct ContactPartner {
   PartnerKind kind = PartnerKind::kStatic;
   Pose X_start, X_end;  ///< pose in the world at the frame's start and end, at the velocity of the start: without this
                         ///< frame's impulses and drift. After a teleport both are the new pose. kStatic: X_start
-  double mass = 0;      ///< kPrescribed: of the whole robot [kg]; caps the force that it gives
+  double mass = 0;      ///< of the whole robot [kg]; caps the force that prescribed motion gives and gets
   int responder = -1;   ///< kResponsive: index of its robot in FrameContacts::responders
   int body = 0;         ///< kResponsive: the robot's own number of this body
   SpatialMotion<double> drift;   ///< kResponsive: acceleration by all but the pairs, about the responder's reference

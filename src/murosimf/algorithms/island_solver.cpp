@@ -22,7 +22,8 @@ void IslandSolver::reserve(std::size_t bodies, std::size_t pairs) {
   partners_.reserve(2 * pairs);
   members_.reserve(2 * pairs), asked_.reserve(2 * pairs), groups_.reserve(2 * pairs);
   contacts_.reserve(pairs);
-  responses_.reserve(36 * pairs * std::min<std::size_t>(pairs, 32));
+  // Of one island at a time: 32 bodies of a robot take part, 512 altogether.
+  responses_.reserve(36 * std::min<std::size_t>(pairs, 32) * std::min<std::size_t>(pairs, 512));
 }
 
 void IslandSolver::advance(FrameContacts& frame, std::span<KeptContact> kept, double dt) {
@@ -172,7 +173,7 @@ int IslandSolver::substepsOf(double dt) {
   for (WorkContact& c : island_) {
     const ContactPair& pair = pairOf(c);
     if (!c.touches || (pair.a.body < 0 && pair.b.body < 0)) continue;
-    place(c, 0);
+    place(c, 0);  // once more: now it is known what recoils
     computeResponses(c);
     largest = max(largest, pair.surface.stiffness * pair.share * c.response_n);
   }

@@ -84,7 +84,6 @@ class IslandSolver {
   void substep(int island, double t, double h);
   void place(WorkContact& c, double t) const;
   void placeSide(const ContactSide& side, const Vector3& point, const Vector3& origin, WorkSide& work) const;
-  Pose poseOf(const ContactSide& side, double t) const;
   void prepare(WorkContact& c, double h);
   void computeResponses(WorkContact& c) const;
   void warmStart(WorkContact& c, double h);
@@ -92,12 +91,14 @@ class IslandSolver {
   double limited(const WorkContact& c, double impulse, const NormalStep& step) const;
   void book(WorkContact& c, double h);
 
+  // Sides, in island_sides.cpp.
   ContactPair& pairOf(const WorkContact& c) const { return frame_->pairs[static_cast<std::size_t>(c.pair)]; }
   KeptContact& keptOf(const WorkContact& c) const { return kept_[static_cast<std::size_t>(c.pair)]; }
   FreeBody* bodyOf(const ContactSide& side) const;
   const ContactPartner* partnerOf(const ContactSide& side) const;
   bool isPrescribed(const ContactSide& side) const;
   double massOf(const ContactSide& side) const;
+  Pose poseOf(const ContactSide& side, double t) const;
   Vector3 velocityOf(const ContactSide& side, const WorkSide& work) const;
   Vector3 turningOf(const ContactSide& side) const;
   Vector3 relativeVelocity(const WorkContact& c) const;

@@ -76,7 +76,7 @@ TreeResponse::TreeResponse(const Constants& constants)
   ways_.reserve(joints_.size());
 }
 
-void TreeResponse::place(std::span<const Pose> X_WB) {
+void TreeResponse::place(std::span<const Pose> X_WB, bool joints_yield) {
   setReference(X_WB[0].translation);
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const Vector3 p = X_WB[i].translation - reference();
@@ -86,14 +86,14 @@ void TreeResponse::place(std::span<const Pose> X_WB) {
     const Vector3 axis = row.axis == 0 ? R.x : row.axis == 1 ? R.y : R.z;
     joints_[i].S = row.kind == JointKind::kRevolute ? sixOf(axis, cross(p, axis)) : sixOf({}, axis);
   }
-  gatherInward();
+  gatherInward(joints_yield);
 }
 
-void TreeResponse::gatherInward() {
+void TreeResponse::gatherInward(bool joints_yield) {
   for (std::size_t i = joints_.size(); i-- > 1;) {
     Joint& joint = joints_[i];
     joint.U = articulated_[i] * joint.S;
-    joint.over_D = 1 / (dot(joint.S, joint.U) + constants_.armature[i - 1]);
+    joint.over_D = joints_yield ? 1 / (dot(joint.S, joint.U) + constants_.armature[i - 1]) : 0;
     Matrix6& parent = articulated_[index(constants_.tree.rows[i].parent)];
     for (std::size_t a = 0; a < 6; ++a) {
       const double scaled = joint.U[a] * joint.over_D;

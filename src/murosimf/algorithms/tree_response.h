@@ -24,12 +24,12 @@ class TreeResponse final : public Response {
   struct Constants {
     TreeTable tree;
     std::vector<RigidInertia<double>> inertia;  ///< of the bodies, in their own axes about their origins
-    std::vector<double> armature;               ///< of the joints; infinite where a joint is held
+    std::vector<double> armature;               ///< of the joints
   };
   /// A robot at its present place. Call place() before respond().
   explicit TreeResponse(const Constants& constants);
-  /// @param X_WB of all bodies
-  void place(std::span<const Pose> X_WB);
+  /// @param X_WB of all bodies; @param joints_yield false: joints are held, and the tree answers as one body
+  void place(std::span<const Pose> X_WB, bool joints_yield);
   void respond(std::span<const int> bodies, std::span<double> matrix) const override;
 
  private:
@@ -44,7 +44,7 @@ class TreeResponse final : public Response {
     double of[8] = {};
   };
   using SixColumns = std::array<Columns, 6>;
-  void gatherInward();
+  void gatherInward(bool joints_yield);
   void findWays(std::span<const int> bodies) const;
   void respondTo(int body) const;
 

@@ -1,7 +1,5 @@
 #include "murosimf/simulation/state_guard.h"
 
-#include "murosimf/algorithms/tree_rows.h"
-
 namespace murosimf {
 
 const OutsideAccess& StateGuard::robotAccess() {

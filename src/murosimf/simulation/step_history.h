@@ -4,7 +4,7 @@
 ///
 /// Single precision: 65 KB a robot of 21 joints. Cost: one pass over position, velocity and command of its joints.
 
-#include <cmath>
+#include <string>
 #include <vector>
 
 #include "murosimf/linking/linked_world.h"

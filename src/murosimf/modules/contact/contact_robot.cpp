@@ -86,18 +86,15 @@ void ContactRobot::findReach(const World& world) {
 }
 
 void ContactRobot::readMasses(const World& world) {
-  yielding_ = std::make_unique<TreeResponse::Constants>();
-  yielding_->tree = *world.findShared(object_, kTree);
+  masses_ = std::make_unique<TreeResponse::Constants>();
+  masses_->tree = *world.findShared(object_, kTree);
   for (const ObjectId body : world.members(object_, subset::kBodies)) {
-    yielding_->inertia.push_back(*world.find(body, kBodyInertia));
+    masses_->inertia.push_back(*world.find(body, kBodyInertia));
   }
   for (const ObjectId joint : world.members(object_, subset::kJoints)) {
-    yielding_->armature.push_back(world.find(joint, kArmature).value_or(0.0));
+    masses_->armature.push_back(world.find(joint, kArmature).value_or(0.0));
   }
-  held_ = std::make_unique<TreeResponse::Constants>(*yielding_);
-  std::fill(held_->armature.begin(), held_->armature.end(), std::numeric_limits<double>::infinity());
-  responses_[0] = std::make_unique<TreeResponse>(*held_);
-  responses_[1] = std::make_unique<TreeResponse>(*yielding_);
+  response_ = std::make_unique<TreeResponse>(*masses_);
 }
 
 int ContactRobot::touchSensorOf(std::uint16_t shape) const {
@@ -133,7 +130,7 @@ SpatialMotion<double> ContactRobot::motionOf(int row) const {
     const SpatialMotion<double> V = base_velocity_.get();
     return {X_WB.rotation * V.w, X_WB.rotation * V.v};
   }
-  const TreeRow& joint = yielding_->tree.rows[index(row)];
+  const TreeRow& joint = masses_->tree.rows[index(row)];
   const SpatialMotion<double> parent = motionOf(joint.parent);
   const Vector3 way = X_WB.translation - bodyPose(joint.parent).translation;
   const Rotation3& R = X_WB.rotation;
@@ -173,9 +170,8 @@ int ContactRobot::partner(int row, FrameContacts& frame, int number) {
 const Response* ContactRobot::response() {
   if (!recoils() || rows_.empty()) return nullptr;
   for (std::size_t i = 0; i < X_WB_.size(); ++i) X_WB_[i] = path_.pose(static_cast<int>(i), begin_);
-  TreeResponse& response = *responses_[joints_yield_.get() > 0 ? 1 : 0];
-  response.place(X_WB_);
-  return &response;
+  response_->place(X_WB_, joints_yield_.get() > 0);
+  return response_.get();
 }
 
 void ContactRobot::finish(const FrameContacts& frame) {

@@ -1,11 +1,5 @@
 #include "murosimf/modules/contact/pair_phase.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <limits>
-#include <stdexcept>
-
 #include "murosimf/math/random.h"
 #include "murosimf/world/vocabulary.h"
 

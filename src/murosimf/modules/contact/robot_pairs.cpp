@@ -10,11 +10,17 @@ constexpr std::size_t kContactsPerRobot = 64;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
+std::vector<int> distinct(std::vector<int> numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  return numbers;
+}
+
 }  // namespace
 
 RobotPairs::RobotPairs(const World& world, const std::vector<ContactRobot>& robots,
                        const std::vector<FixedObstacle>& fixed)
-    : placed_(robots.size()), most_contacts_(kContactsPerRobot * robots.size()) {
+    : placed_(robots.size()) {
   for (const ContactRobot& robot : robots) {
     std::vector<int>& numbers = robot_surfaces_.emplace_back();
     for (const Obstacle& shape : robot.shapes()) numbers.push_back(surfaceNumber(shape.surface));
@@ -26,9 +32,11 @@ RobotPairs::RobotPairs(const World& world, const std::vector<ContactRobot>& robo
   for (std::size_t i = 0; i < robots.size(); ++i) placed_[i].reserve(robots[i].shapes().size());
   const bool nobody = std::none_of(robots.begin(), robots.end(), [](const ContactRobot& r) { return r.mayRecoil(); });
   if (nobody) return;
+  most_contacts_ = kContactsPerRobot * robots.size();
   for (std::size_t i = 0; i < robots.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) requirePairs(world, robot_surfaces_[i], robot_surfaces_[j]);
-    requirePairs(world, robot_surfaces_[i], fixed_surfaces_);
+    const std::vector<int> surfaces = distinct(robot_surfaces_[i]);
+    for (std::size_t j = 0; j < i; ++j) requirePairs(world, surfaces, distinct(robot_surfaces_[j]));
+    requirePairs(world, surfaces, distinct(fixed_surfaces_));
   }
 }
 

@@ -1,0 +1,119 @@
+// What one side of a contact is, how it moves, and how it answers impulses.
+
+#include "murosimf/algorithms/island_solver.h"
+
+namespace murosimf {
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+double largestInverse(const Vector3& inertia) { return 1 / min(inertia.x, min(inertia.y, inertia.z)); }
+
+}  // namespace
+
+FreeBody* IslandSolver::bodyOf(const ContactSide& side) const {
+  return side.body < 0 ? nullptr : &frame_->bodies[index(side.body)];
+}
+const ContactPartner* IslandSolver::partnerOf(const ContactSide& side) const {
+  return side.partner < 0 ? nullptr : &frame_->partners[index(side.partner)];
+}
+bool IslandSolver::isPrescribed(const ContactSide& side) const {
+  const ContactPartner* partner = partnerOf(side);
+  return partner != nullptr && partner->kind == PartnerKind::kPrescribed;
+}
+double IslandSolver::massOf(const ContactSide& side) const {
+  return side.body < 0 ? partnerOf(side)->mass : bodyOf(side)->mass;
+}
+
+Pose IslandSolver::poseOf(const ContactSide& side, double t) const {
+  if (const FreeBody* body = bodyOf(side)) return body->X_WB;
+  const WorkPartner& work = partners_[index(side.partner)];
+  Pose X_WP = work.path.at(*partnerOf(side), t);
+  if (work.group < 0) return X_WP;
+  const Vector3 lever = X_WP.translation - groups_[index(work.group)].p_WO;
+  X_WP.translation += work.shift.v + cross(work.shift.w, lever);
+  X_WP.rotation = rotationExp(work.shift.w) * X_WP.rotation;
+  return X_WP;
+}
+
+Vector3 IslandSolver::velocityOf(const ContactSide& side, const WorkSide& work) const {
+  if (const FreeBody* body = bodyOf(side)) return pointVelocity(*body, work.arm);
+  const WorkPartner& partner = partners_[index(side.partner)];
+  if (partner.group < 0) return work.path_velocity;
+  return work.path_velocity + partner.change.v + cross(partner.change.w, work.lever);
+}
+Vector3 IslandSolver::turningOf(const ContactSide& side) const {
+  if (const FreeBody* body = bodyOf(side)) return body->angular_velocity;
+  const WorkPartner& partner = partners_[index(side.partner)];
+  return partner.path.angular_velocity + partner.change.w;
+}
+Vector3 IslandSolver::relativeVelocity(const WorkContact& c) const {
+  return velocityOf(pairOf(c).a, c.a) - velocityOf(pairOf(c).b, c.b);
+}
+
+/// Change of a body's motion by an impulse on a body of the same robot.
+SpatialMotion<double> IslandSolver::recoilOf(const WorkPartner& moved, const WorkPartner& pushed,
+                                             const SpatialForce<double>& impulse) const {
+  const RecoilGroup& group = groups_[index(moved.group)];
+  const std::size_t width = 6 * index(group.count);
+  const double* row = &responses_[group.matrix + 6 * index(moved.row) * width + 6 * index(pushed.row)];
+  SpatialMotion<double> result;
+  for (int a = 0; a < 3; ++a, row += width) {
+    result.w[a] = dot(Vector3{row[0], row[1], row[2]}, impulse.n) + dot(Vector3{row[3], row[4], row[5]}, impulse.f);
+  }
+  for (int a = 0; a < 3; ++a, row += width) {
+    result.v[a] = dot(Vector3{row[0], row[1], row[2]}, impulse.n) + dot(Vector3{row[3], row[4], row[5]}, impulse.f);
+  }
+  return result;
+}
+
+/// Velocity change of the side's point by an impulse there.
+Vector3 IslandSolver::responseOf(const ContactSide& side, const WorkSide& work, const Vector3& impulse) const {
+  if (const FreeBody* body = bodyOf(side)) return pointResponse(*body, work.arm, impulse);
+  const WorkPartner& partner = partners_[index(side.partner)];
+  if (partner.group < 0) return {};
+  const SpatialMotion<double> change = recoilOf(partner, partner, {cross(work.lever, impulse), impulse});
+  return change.v + cross(change.w, work.lever);
+}
+/// Where a robot touches itself each side also moves by the impulse on the other one.
+Vector3 IslandSolver::crossResponse(const WorkContact& c, const Vector3& impulse) const {
+  const ContactPair& pair = pairOf(c);
+  if (pair.a.partner < 0 || pair.b.partner < 0) return {};
+  const WorkPartner &a = partners_[index(pair.a.partner)], &b = partners_[index(pair.b.partner)];
+  if (a.group < 0 || a.group != b.group) return {};
+  const SpatialMotion<double> change_a = recoilOf(a, b, {cross(c.b.lever, impulse), impulse});
+  const SpatialMotion<double> change_b = recoilOf(b, a, {cross(c.a.lever, impulse), impulse});
+  return -(change_a.v + cross(change_a.w, c.a.lever)) - (change_b.v + cross(change_b.w, c.b.lever));
+}
+/// No smaller than what any direction of turning gives.
+double IslandSolver::turningResponse(const ContactSide& side) const {
+  if (const FreeBody* body = bodyOf(side)) return largestInverse(body->inertia);
+  const WorkPartner& partner = partners_[index(side.partner)];
+  if (partner.group < 0) return 0;
+  const RecoilGroup& group = groups_[index(partner.group)];
+  const std::size_t width = 6 * index(group.count);
+  const double* diagonal = &responses_[group.matrix + 6 * index(partner.row) * (width + 1)];
+  return diagonal[0] + diagonal[width + 1] + diagonal[2 * (width + 1)];
+}
+
+void IslandSolver::giveTo(const ContactSide& side, const WorkSide& work, const Vector3& impulse,
+                          const Vector3& angular_impulse) {
+  if (FreeBody* body = bodyOf(side)) {
+    applyImpulse(*body, work.arm, impulse);
+    return applyAngularImpulse(*body, angular_impulse);
+  }
+  const WorkPartner& pushed = partners_[index(side.partner)];
+  if (pushed.group < 0) return;
+  const RecoilGroup& group = groups_[index(pushed.group)];
+  const SpatialForce<double> wrench{cross(work.lever, impulse) + angular_impulse, impulse};
+  for (int i = 0; i < group.count; ++i) {
+    WorkPartner& moved = partners_[index(members_[index(group.first + i)])];
+    moved.change += recoilOf(moved, pushed, wrench);
+  }
+}
+void IslandSolver::give(const WorkContact& c, const Vector3& impulse, const Vector3& angular_impulse) {
+  giveTo(pairOf(c).a, c.a, impulse, angular_impulse);
+  giveTo(pairOf(c).b, c.b, -impulse, -angular_impulse);
+}
+
+}  // namespace murosimf
