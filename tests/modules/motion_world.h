@@ -61,7 +61,7 @@ class MotionWorld {
     const ModuleRegistry modules = allModules();
     Linker linker(world_, modules, {step_, lanes});
     for (const ObjectId robot : robots_) {
-      for (const char* name : {"ideal_servo", "kinematic_walking", "body_poses", "inertial_sensor"}) {
+      for (const char* name : {"ideal_servo", "kinematic_walking", "body_poses", "inertial_sensor", "primitives"}) {
         linker.assign({robot, name, {{"period", {{{period_}, ""}, {}}}}, {}});
       }
     }

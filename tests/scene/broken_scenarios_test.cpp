@@ -49,7 +49,8 @@ const std::map<std::string, std::vector<std::string>> kExpected = {
     {"syntax_error", {"2:12: error: this is not TOML: "}},
     {"unknown_key",
      {"3:1: error: unknown key \"brightnes\" in field, expected one of its 19 keys (did you mean \"brightness\"?)",
-      "5:2: error: unknown key \"balls\", expected \"simulation\", \"field\", \"ball\", \"surfaces\", \"teams\", "
+      "5:2: error: unknown key \"balls\", expected \"simulation\", \"field\", \"ball\", \"surfaces\", \"contacts\", "
+      "\"teams\", "
       "\"robots\", \"referee\" or \"output\" (did you mean \"ball\"?)",
       "11:1: error: unknown key \"moton\" in robots.red.1, expected one of its 27 keys (did you mean \"motion\"?)"}},
     {"unknown_preset",

@@ -35,7 +35,8 @@ TEST(BuilderErrors, ModuleOfAnotherConcern) {
 
 TEST(BuilderErrors, SlotThatTheLevelDoesNotHave) {
   expectStarts(saidOf("[robots.red.1.contact]\nmodule = \"soles\"\n[robots.blue.1.integration]\nperiod = 0.001"),
-               {"9:10: robots.red.1: level \"kinematic\" has no contact; it has actuation, motion, kinematics, sensing",
+               {"9:10: robots.red.1: level \"kinematic\" has no contact; it has actuation, motion, collision, "
+                "kinematics, sensing",
                 "11:10: robots.blue.1: level \"kinematic\" has no integration; it has"});
 }
 

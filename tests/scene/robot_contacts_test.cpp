@@ -6,109 +6,10 @@
 #include <tuple>
 
 #include "murosimf/simulation/state_hash.h"
-#include "scene/built_world.h"
+#include "scene/touching_robots.h"
 
 namespace murosimf::test {
 namespace {
-
-const std::string kHead =
-    "[referee]\nenabled = false\n[ball]\npresent = false\n"
-    "[robots.all]\nfile = \"robots/ks21.urdf\"\ncontrol = \"none\"\n";
-
-/// Robots that hold their first posture and are moved about by the test.
-class Robots {
- public:
-  explicit Robots(const std::vector<std::string>& motions, const std::vector<std::string>& overrides = {})
-      : built_(textOf(motions), overrides), simulation_(built_.simulation()) {
-    for (std::size_t i = 0; i < motions.size(); ++i) {
-      robots_.push_back(simulation_->world().find(fmt::format("robots.red.{}", i + 1)));
-    }
-    simulation_->step();
-  }
-  Simulation& simulation() { return *simulation_; }
-  std::size_t count() const { return robots_.size(); }
-  Handle<Pose> base(std::size_t i) { return simulation_->linked().handle(robots_[i], kBasePose); }
-  Handle<SpatialMotion<double>> motion(std::size_t i) {
-    return simulation_->linked().handle(robots_[i], kBaseVelocity);
-  }
-  bool falls(std::size_t i) { return motion(i).valid(); }
-  void put(std::size_t i, const Pose& X_WB, const Vector3& v_B = {}) {
-    base(i).set(X_WB);
-    motion(i).set({{}, v_B});
-  }
-  void place(std::size_t i, const PlanarPose& pose) {
-    simulation_->interventions().placeRobot(simulation_->frame(), robots_[i], pose);
-  }
-  double speed(std::size_t i) { return falls(i) ? norm(motion(i).get().v) : 0; }
-  double fastest() {
-    double speed_of_all = 0;
-    for (std::size_t i = 0; i < count(); ++i) speed_of_all = std::max(speed_of_all, speed(i));
-    return speed_of_all;
-  }
-  /// Of the robot's bodies over the last step: translation, and turning about the centres of mass [J].
-  double kineticEnergy(std::size_t i) {
-    const BodyPath path(simulation_->linked(), robots_[i]);
-    double sum = 0;
-    int row = 0;
-    for (const ObjectId body : simulation_->world().members(robots_[i], subset::kBodies)) {
-      const RigidInertia<double> inertia = *simulation_->world().find(body, kBodyInertia);
-      const Vector3 p_BC = inertia.mc * (1 / std::max(inertia.m, 1e-9));
-      const RigidInertia<double> about_centre = shifted(inertia, -p_BC);
-      const Pose last = path.last(row), end = path.end(row);
-      const double per_second = 1 / simulation_->frameLength();
-      const Vector3 v = (end * p_BC - last * p_BC) * per_second;
-      const Vector3 w_B = rotationLog(transposed(last.rotation) * end.rotation) * per_second;
-      sum += 0.5 * (inertia.m * squaredNorm(v) + dot(w_B, about_centre.I * w_B));
-      ++row;
-    }
-    return sum;
-  }
-  /// Height of the lowest point of its shapes that collide.
-  double lowestPoint(std::size_t i) {
-    const BodyPath path(simulation_->linked(), robots_[i]);
-    double lowest = 1e9;
-    for (const PlacedShape& s : *simulation_->world().findShared(robots_[i], kShapes)) {
-      if (!s.collides) continue;
-      const Pose X_WS = path.end(s.row) * s.X_BS;
-      const Vector3 down_S = applyTransposed(X_WS.rotation, Vector3{0, 0, -1});
-      lowest = std::min(lowest, (X_WS * supportPoint(collisionShapeOf(s.shape), down_S)).z);
-    }
-    return lowest;
-  }
-  /// Of all contacts of the last frame.
-  double deepest() const {
-    double depth = 0;
-    for (const ContactPair& pair : simulation_->pairs().contacts().pairs) depth = std::max(depth, pair.contact.depth);
-    return depth;
-  }
-  /// Of the robot's bodies over the last step, from where they were and are.
-  Vector3 momentum(std::size_t i) {
-    const BodyPath path(simulation_->linked(), robots_[i]);
-    Vector3 sum;
-    int row = 0;
-    for (const ObjectId body : simulation_->world().members(robots_[i], subset::kBodies)) {
-      const RigidInertia<double> inertia = *simulation_->world().find(body, kBodyInertia);
-      const Vector3 p_BC = inertia.mc * (1 / std::max(inertia.m, 1e-9));
-      sum += (path.end(row) * p_BC - path.last(row) * p_BC) * (inertia.m / simulation_->frameLength());
-      ++row;
-    }
-    return sum;
-  }
-
- private:
-  static std::string textOf(const std::vector<std::string>& motions) {
-    std::string text = kHead;
-    for (std::size_t i = 0; i < motions.size(); ++i) {
-      const std::size_t column = i % 3, row = i / 3;
-      text += fmt::format("[robots.red.{}]\npose = [{}, {}, 0]\nmotion = \"{}\"\n", i + 1,
-                          0.8 * static_cast<double>(column), 0.8 * static_cast<double>(row), motions[i]);
-    }
-    return text;
-  }
-  BuiltWorld built_;
-  std::unique_ptr<Simulation> simulation_;
-  std::vector<ObjectId> robots_;
-};
 
 using TwoMotions = std::tuple<const char*, const char*>;
 constexpr const char* kDynamic[] = {"multibody_dynamics", "composite_body_dynamics", "simplified_dynamics"};
@@ -245,7 +146,7 @@ std::uint64_t crowdOf(const std::string& lanes) {
   const char* const settings[] = {
       "level = \"full\"",      "level = \"fast\"", "level = \"full\"\nintegration = \"midpoint\"",
       "level = \"kinematic\"", "level = \"full\"", "level = \"fast\""};
-  std::string text = kHead;
+  std::string text = kQuietGame;
   for (int i = 0; i < 6; ++i) {
     text += fmt::format("[robots.red.{}]\npose = [{}, {}, {}]\n{}\n", i + 1, 0.17 * (i % 3), i < 3 ? 0.0 : 0.18,
                         0.9 * i, settings[i]);

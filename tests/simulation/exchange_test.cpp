@@ -55,6 +55,21 @@ TEST(Exchange, KeepsTheBaseVelocityBetweenDynamicLevels) {
   }
 }
 
+TEST(Exchange, TellsOthersTheMethodsOfTheNewLevel) {
+  Walkers w(walkers(1));
+  for (int i = 0; i < 10; ++i) w.frame();
+  LinkedWorld& linked = w.simulation().linked();
+  for (const int level : {1, 2, 1, 0, 2}) {
+    linked.exchange(w.robot(0), level);
+    const Handle<double> joints_yield = linked.handle(w.robot(0), kJointsYield);
+    const Handle<StepManner> manner = linked.handle(w.robot(0), kStepManner);
+    EXPECT_EQ(joints_yield.valid(), level > 0);
+    if (level == 0) continue;
+    EXPECT_EQ(joints_yield.get(), level == 2 ? 1 : 0);
+    EXPECT_EQ(manner.get().end_velocity_share, level == 2 ? 1 : 0.5) << "implicit Euler, momentum midpoint";
+  }
+}
+
 TEST(Exchange, TenTimesInAWalkDoesNotMakeARobotFall) {
   Walkers w(walkers(1));
   for (int i = 0; i < 2500; ++i) w.frame();

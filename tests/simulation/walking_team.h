@@ -82,7 +82,7 @@ class WalkingTeam {
     const ModuleRegistry modules = allModules();
     Linker linker(world, modules, {0.001, lanes});
     for (const ObjectId robot : participants.robots) {
-      for (const char* name : {"ideal_servo", "kinematic_walking", "body_poses", "inertial_sensor"}) {
+      for (const char* name : {"ideal_servo", "kinematic_walking", "body_poses", "inertial_sensor", "primitives"}) {
         linker.assign({robot, name, {{"period", {{{0.01}, ""}, {}}}}, {}});
       }
     }

@@ -105,6 +105,13 @@ double normalImpulse(const NormalStep& step, const SurfacePair& pair) {
   return pair.normal_law == NormalLaw::kPaper ? solveFrozen(law, step, pair) : solveByNewton(law);
 }
 
+double lateImpulse(const NormalStep& step, const SurfacePair& pair) {
+  const double speed = -step.start_speed, x = min(step.depth, step.dt * speed);
+  if (x <= 0) return 0;
+  const double spring = step.stiffness * factorWithSlope(pair, step.start_speed).value;
+  return (speed - sqrt(max(0.0, fnma(step.response * spring * x, x, speed * speed)))) / step.response;
+}
+
 Vector3 resistanceImpulse(const Vector3& u, double response, const Resistance& resistance) {
   const double speed = norm(u);
   if (speed <= 0 || (resistance.constant <= 0 && resistance.viscous <= 0)) return {};

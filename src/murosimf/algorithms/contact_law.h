@@ -36,6 +36,11 @@ double midpointWeight(double stiffness, double response, double dt);
 /// Normal impulse p >= 0 [N s]. `paper` freezes its factor at the step's start, which makes the step linear.
 double normalImpulse(const NormalStep& step, const SurfacePair& pair);
 
+/// What a point should have got already that is found x deep when a frame begins and came there within the last one at
+/// the speed u < 0: p = (|u| - sqrt(u^2 - W s_c g(u) x^2)) / W, so that its spring holds no energy that nobody gave.
+/// x counts up to h |u|, and the impulse takes no more than the approach.
+double lateImpulse(const NormalStep& step, const SurfacePair& pair);
+
 /// Resistance to a motion of size s, along it: c min(1, s/s_0) + b s.
 struct Resistance {
   double constant = 0;      ///< c: size of the impulse above s_0

@@ -51,6 +51,7 @@ struct WorkContact {
   Rotation3 response;                                     ///< K, by columns
   double start_speed = 0;                                 ///< u_0
   double response_n = 0, response_t = 0, response_w = 0;  ///< W along n, largest across n, of turning
+  double late = 0;                                        ///< normal impulse that the last frame owed
   double p_n = 0;                                         ///< impulses of this substep, on A
   Vector3 p_t, p_w;
 };
@@ -86,6 +87,7 @@ class IslandSolver {
   void placeSide(const ContactSide& side, const Vector3& point, const Vector3& origin, WorkSide& work) const;
   void prepare(WorkContact& c, double h);
   void computeResponses(WorkContact& c) const;
+  void giveLateImpulses(double h);
   void warmStart(WorkContact& c, double h);
   void relax(WorkContact& c, double h);
   double limited(const WorkContact& c, double impulse, const NormalStep& step) const;

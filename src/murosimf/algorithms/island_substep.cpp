@@ -20,6 +20,7 @@ void IslandSolver::substep(int island, double t, double h) {
     place(c, t);
     prepare(c, h);
   }
+  if (t == 0) giveLateImpulses(h);
   for (std::size_t i = 0; i < frame_->bodies.size(); ++i) {
     if (!inIsland(i)) continue;
     FreeBody& body = frame_->bodies[i];
@@ -104,6 +105,30 @@ void IslandSolver::computeResponses(WorkContact& c) const {
   c.response_w = turningResponse(pair.a) + turningResponse(pair.b);
 }
 
+/// Points that are found once a frame begin deeper than zero. What approaches by prescription is not to be stopped.
+void IslandSolver::giveLateImpulses(double h) {
+  bool any = false;
+  for (WorkContact& c : island_) {
+    const ContactPair& pair = pairOf(c);
+    const KeptContact& kept = keptOf(c);
+    c.late = 0;
+    if (!c.active || !pair.found || !pair.fresh || kept.overlapped > 0) continue;
+    if (isPrescribed(pair.a) || isPrescribed(pair.b)) continue;
+    const double gained = pair.contact.depth - max(kept.depth, 0.0);
+    // As if the point were alone: their mean then takes no more than the approach.
+    c.late =
+        pair.share * lateImpulse({gained, c.start_speed, 0, c.response_n, h, pair.surface.stiffness}, pair.surface);
+    any = any || c.late > 0;
+  }
+  if (!any) return;
+  for (const WorkContact& c : island_) {
+    if (c.late > 0) give(c, pairOf(c).contact.normal * c.late, {});
+  }
+  for (WorkContact& c : island_) {
+    if (c.active) c.start_speed = dot(pairOf(c).contact.normal, relativeVelocity(c));
+  }
+}
+
 void IslandSolver::warmStart(WorkContact& c, double h) {
   const Vector3& n = pairOf(c).contact.normal;
   const KeptContact& kept = keptOf(c);
@@ -132,7 +157,8 @@ void IslandSolver::relax(WorkContact& c, double h) {
 
   Vector3 turning_change;
   if (pair.surface.rolling_resistance > 0 || pair.surface.turning_friction > 0) {
-    const Resistance turning = turningResistance(pair.surface, p_n, pair.radius);
+    const double radius = pair.rolling_radius > 0 ? pair.rolling_radius : pair.radius;
+    const Resistance turning = turningResistance(pair.surface, p_n, radius);
     const Vector3 w = turningOf(pair.a) - turningOf(pair.b);
     const Vector3 p_w = resistanceImpulse(w - c.p_w * c.response_w, c.response_w, turning);
     turning_change = p_w - c.p_w;
@@ -165,14 +191,15 @@ void IslandSolver::book(WorkContact& c, double h) {
     return;
   }
   const Vector3& n = pair.contact.normal;
-  const Vector3 impulse = n * c.p_n + c.p_t;
+  const Vector3 impulse = n * (c.p_n + c.late) + c.p_t;
+  kept.normal = n;
   kept.normal_force = c.p_n / h;
   kept.friction_force = c.p_t * (1 / h);
   kept.turning_torque = c.p_w * (1 / h);
   const double end_speed = dot(n, relativeVelocity(c));
   kept.depth = pair.contact.depth - 0.5 * h * (c.start_speed + end_speed);
   if (pair.found) pair.contact.depth = kept.depth;
-  if (c.p_n <= 0) return;
+  if (c.p_n + c.late <= 0) return;
   pair.touched = true;
   pair.impulse += impulse;
   // From the path's place at this moment to its start: a partner's moment is about a point that stays.

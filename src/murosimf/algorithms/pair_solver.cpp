@@ -29,16 +29,57 @@ void PairSolver::advance(FrameContacts& frame, double dt) {
     if (contact.depth > 0 || contact.normal_force > 0) kept_.push_back(contact);
 }
 
-/// One memory per pair; both lists are sorted by key.
+namespace {
+
+bool sameShapes(const ContactKey& a, const ContactKey& b) {
+  return a.name_a == b.name_a && a.name_b == b.name_b && a.shape_a == b.shape_a && a.shape_b == b.shape_b;
+}
+
+using Kept = std::span<const KeptContact>;
+
+const KeptContact* find(Kept kept, const ContactKey& key) {
+  const auto found = std::find_if(kept.begin(), kept.end(), [&](const KeptContact& k) { return k.key == key; });
+  return found == kept.end() ? nullptr : &*found;
+}
+
+/// What a point that is new between two shapes inherits of those that they had: how they met, and an even share of the
+/// forces of points that are gone.
+KeptContact inherited(const ContactKey& key, Kept kept, std::span<const ContactPair> pairs) {
+  KeptContact fresh = freshContact(key);
+  double heirs = 0;
+  for (const ContactPair& pair : pairs) heirs += find(kept, pair.key) == nullptr ? 1 : 0;
+  for (const KeptContact& old : kept) {
+    fresh.depth = max(fresh.depth, old.depth);
+    fresh.approach_speed = max(fresh.approach_speed, old.approach_speed);
+    fresh.overlapped = std::max(fresh.overlapped, old.overlapped);
+    const bool lives = std::any_of(pairs.begin(), pairs.end(), [&](const ContactPair& p) { return p.key == old.key; });
+    if (lives) continue;
+    fresh.normal_force += old.normal_force / heirs;
+    fresh.friction_force += old.friction_force * (1 / heirs);
+  }
+  return fresh;
+}
+
+}  // namespace
+
+/// One memory per pair; both lists are sorted by key, so that points of the same two shapes stand together.
 void PairSolver::recall(FrameContacts& frame) {
   recalled_.clear();
   auto last = kept_.cbegin();
-  for (ContactPair& pair : frame.pairs) {
-    pair.impulse = pair.moment_A = pair.moment_B = {};
-    pair.touched = false;
-    while (last != kept_.cend() && last->key < pair.key) ++last;
-    const bool known = last != kept_.cend() && last->key == pair.key;
-    recalled_.push_back(known ? *last : freshContact(pair.key));
+  for (auto first = frame.pairs.begin(); first != frame.pairs.end();) {
+    const auto differs = [&](const auto& contact) { return !sameShapes(contact.key, first->key); };
+    const auto end = std::find_if(first, frame.pairs.end(), differs);
+    while (last != kept_.cend() && last->key < first->key && !sameShapes(last->key, first->key)) ++last;
+    const auto last_end = std::find_if(last, kept_.cend(), differs);
+    const Kept kept(last, last_end);
+    for (auto pair = first; pair != end; ++pair) {
+      pair->impulse = pair->moment_A = pair->moment_B = {};
+      pair->touched = false;
+      const KeptContact* known = find(kept, pair->key);
+      pair->fresh = known == nullptr;
+      recalled_.push_back(known != nullptr ? *known : inherited(pair->key, kept, std::span(first, end)));
+    }
+    first = end, last = last_end;
   }
 }
 

@@ -10,6 +10,7 @@
 #include "murosimf/modules/actuation/tracking_servo.h"
 #include "murosimf/modules/contact/ground_contact.h"
 #include "murosimf/modules/contact/pair_forces.h"
+#include "murosimf/modules/contact/shape_detection.h"
 #include "murosimf/modules/dynamics/body_accelerations.h"
 #include "murosimf/modules/dynamics/composite_body_dynamics.h"
 #include "murosimf/modules/dynamics/multibody_dynamics.h"
@@ -66,6 +67,9 @@ ModuleRegistry allModules() {
   all.add<GroundContact>("ground_contact", "contact", "ground: the laws of the scenario's table of surfaces");
   all.add<PairForces>("pair_forces", "recoil", "forces of robots, balls and posts; joints give way");
   all.add<RigidPairForces>("rigid_pair_forces", "recoil", "the same of a robot whose joints do not give way");
+  all.add<FeetOnly>("feet_only", "collision", "other robots, balls and posts meet the feet alone");
+  all.add<BoundingSpheres>("bounding_spheres", "collision", "they meet a sphere about each shape: cheap, too early");
+  all.add<Primitives>("primitives", "collision", "they meet every shape as it is");
   all.add<MultibodyDynamics>("multibody_dynamics", "motion", "every body has its mass, every joint its torque");
   all.add<CompositeBodyDynamics>("composite_body_dynamics", "motion", "the same by the mass matrix of the robot");
   all.add<SimplifiedDynamics>("simplified_dynamics", "motion", "joints move as prescribed, the whole robot is one body",

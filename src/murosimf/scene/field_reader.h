@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "murosimf/scene/scene.h"
+#include "murosimf/scene/table_reader.h"
 #include "murosimf/scene/text_tree.h"
 
 namespace murosimf {
@@ -18,6 +19,9 @@ std::vector<SurfacePairSettings> builtInSurfacePairs();
 /// Brings the names of [surfaces.B-A] into the order of letters; reports pairs that stand there twice and keys that
 /// name no pair (and removes both).
 void normaliseSurfaces(TextNode& scenario, Diagnostics& diagnostics);
+
+/// The constants of one pair that a table gives; all others stay.
+void readSurfacePair(const TableReader& reader, SurfacePairSettings& pair, Diagnostics& diagnostics);
 
 /// @param table [surfaces], normalised; nullptr: built-in pairs only
 std::vector<SurfacePairSettings> readSurfaces(const TextNode* table, Diagnostics& diagnostics);

@@ -14,14 +14,18 @@ constexpr std::string_view kJointForces[] = {"gear_load", "joint_friction"};
 constexpr std::string_view kGroundLaws[] = {"hunt_crossley_contact", "smooth_contact", "paper_contact",
                                             "ground_contact"};
 
+constexpr std::string_view kCoarserShapes[] = {"feet_only", "bounding_spheres"};
+
 constexpr Slot kKinematicSlots[] = {{"actuation", "ideal_servo"},
                                     {"motion", "kinematic_walking"},
+                                    {"collision", "primitives", kCoarserShapes},
                                     {"kinematics", "body_poses"},
                                     {"sensing", "inertial_sensor"}};
 constexpr Slot kMultibodySlots[] = {{"electronics", "servo_controller"},
                                     {"velocities", "tree_motion"},
                                     {"actuation", "position_servo", kMotors},
                                     {"contact", "hunt_crossley_contact", kGroundLaws},
+                                    {"collision", "primitives", kCoarserShapes},
                                     {"recoil", "pair_forces"},
                                     {"motion", "multibody_dynamics"},
                                     {"sensing", "dynamic_inertial_sensor"},
@@ -35,6 +39,7 @@ constexpr Slot kMultibodySlots[] = {{"electronics", "servo_controller"},
 constexpr Slot kSimplifiedSlots[] = {{"velocities", "tree_motion"},
                                      {"actuation", "tracking_servo"},
                                      {"contact", "smooth_contact", kGroundLaws},
+                                     {"collision", "primitives", kCoarserShapes},
                                      {"recoil", "rigid_pair_forces"},
                                      {"motion", "simplified_dynamics"},
                                      {"accelerations", "body_accelerations"},

@@ -36,6 +36,19 @@ std::vector<PlacedShape> shapesOf(const RobotBlueprint& b, const Colour& team_co
   return shapes;
 }
 
+/// Bodies that are fixed to one another share a row: it is spared what any of them is spared.
+std::vector<std::pair<int, int>> ignoredRows(const RobotBlueprint& b) {
+  std::vector<std::pair<int, int>> rows;
+  for (const auto& [first, second] : b.model.ignored_pairs) {
+    const int a = b.flat.bodies[static_cast<std::size_t>(first)].row;
+    const int c = b.flat.bodies[static_cast<std::size_t>(second)].row;
+    rows.emplace_back(std::min(a, c), std::max(a, c));
+  }
+  std::sort(rows.begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  return rows;
+}
+
 /// Right ones first, then left ones, whatever the order in the file; then those that belong to no side.
 std::vector<Sole> solesOf(const RobotBlueprint& b) {
   std::vector<Sole> soles = b.model.soles;
@@ -132,6 +145,7 @@ ObjectId addRobot(World& world, const std::string& path, const RobotBlueprint& b
   const ObjectId robot = world.addPath(path);
   world.set(robot, kTree, b.flat.table, b.model.where);
   world.set(robot, kShapes, shapesOf(b, team_colour));
+  world.set(robot, kIgnoredPairs, ignoredRows(b));
   world.set(robot, kBlockingRadius, kDefaultBlockingRadius);
   if (!b.model.imus.empty()) {
     const ImuMount& imu = b.model.imus.front();

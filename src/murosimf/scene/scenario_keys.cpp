@@ -35,12 +35,14 @@ constexpr ScenarioKey whole(std::string_view section, std::string_view key, doub
 constexpr std::string_view kRobot = "robots.TEAM.NUMBER";
 constexpr std::string_view kTeam = "teams.TEAM";
 constexpr std::string_view kPair = "surfaces.A-B";
+constexpr std::string_view kContact = "contacts.NAME";
 
 constexpr ScenarioKey kKeys[] = {
     plainKey("", "simulation", kTable, "", "time steps, seed, clock, threads"),
     plainKey("", "field", kTable, "", "field of play"),
     plainKey("", "ball", kTable, "", "the ball"),
     plainKey("", "surfaces", kTable, "", "how two surfaces touch, a table `[surfaces.A-B]` a pair"),
+    plainKey("", "contacts", kTable, "", "what may touch what, where surfaces do not say it: tables `[contacts.NAME]`"),
     plainKey("", "teams", kTable, "", "`[teams.red]`, `[teams.blue]`"),
     plainKey("", "robots", kTable, "", "`[robots.all]`, and `[robots.red.1]` for red's robot with the number 1"),
     plainKey("", "referee", kTable, "", "kick-off, goals, ball out, clock"),
@@ -95,6 +97,13 @@ constexpr ScenarioKey kKeys[] = {
     above(kPair, "stick_speed", "m/s", 0, 1, "0.002", "v_s, below which Coulomb friction is viscous"),
     from(kPair, "turning_friction", "m s", 0, 1e3, "0.0", "s_nu, torque over normal force and angular velocity"),
     from(kPair, "rolling_resistance", "1", 0, 1, "0.0", "c_rr, torque over normal force and radius"),
+
+    plainKey(kContact, "between", kTwoNames, "", "pairs of an object of the one and an object of the other"),
+    plainKey(kContact, "within", kNames, "", "pairs of these objects; bodies of one robot are no pair"),
+    plainKey(kContact, "self", kNames, "", "pairs of bodies of one and the same robot"),
+    plainKey(kContact, "check", kBool, "", "whether they touch; default: yes, and bodies of one robot do not"),
+    wordKey(kContact, "points", "manifold one", "",
+            "up to four points a pair of shapes, or the deepest alone; default: manifold"),
 
     wordKey(kTeam, "attacks", "+x -x", "", "the goal it plays to; default: red +x, blue -x"),
 
@@ -178,6 +187,10 @@ std::string typeName(const ScenarioKey& key) {
       return "name or table";
     case kTable:
       return "table";
+    case kNames:
+      return "names";
+    case kTwoNames:
+      return "two names";
   }
   return "";
 }
@@ -251,6 +264,10 @@ std::string expectation(const ScenarioKey& key) {
       return "a name in quotes or a table";
     case kTable:
       return "a table";
+    case kNames:
+      return "a name in quotes or an array of names";
+    case kTwoNames:
+      return "[A, B], each a name in quotes or an array of names";
   }
   return "";
 }

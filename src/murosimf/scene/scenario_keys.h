@@ -14,7 +14,20 @@ namespace murosimf {
 inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 struct ScenarioKey {
-  enum class Kind { kBool, kInteger, kNumber, kText, kWord, kPose, kPosition, kColour, kModule, kTable };
+  enum class Kind {
+    kBool,
+    kInteger,
+    kNumber,
+    kText,
+    kWord,
+    kPose,
+    kPosition,
+    kColour,
+    kModule,
+    kTable,
+    kNames,
+    kTwoNames
+  };
 
   std::string_view section;  ///< "simulation", "robots.TEAM.NUMBER", ...
   std::string_view key;

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <utility>
 
+#include "murosimf/scene/contact_reader.h"
 #include "murosimf/scene/field_reader.h"
 #include "murosimf/scene/override.h"
 #include "murosimf/scene/robot_layers.h"
@@ -49,6 +50,7 @@ class ScenarioReader {
     scene_.field = readField(whole_.find("field"), problems_);
     readBall();
     scene_.surfaces = readSurfaces(whole_.find("surfaces"), problems_);
+    scene_.contacts = readContacts(whole_.find("contacts"), file_tree_.find("contacts"), problems_);
     readTeams();
     readRobots();
     readReferee();

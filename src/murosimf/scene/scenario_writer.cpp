@@ -109,20 +109,45 @@ void writeBall(ScenarioWriter& out, const BallSettings& b) {
   out.value("colour", b.colour);
 }
 
+using NamedNumber = std::pair<const char*, const Located<double>*>;
+std::vector<NamedNumber> numbersOf(const SurfacePairSettings& p) {
+  return {{"stiffness", &p.stiffness},
+          {"restitution_factor", &p.restitution_factor},
+          {"blend_speed", &p.blend_speed},
+          {"dissipation", &p.dissipation},
+          {"viscous_friction", &p.viscous_friction},
+          {"friction_coefficient", &p.friction_coefficient},
+          {"stick_speed", &p.stick_speed},
+          {"turning_friction", &p.turning_friction},
+          {"rolling_resistance", &p.rolling_resistance}};
+}
+
+void writeContacts(ScenarioWriter& out, const std::vector<ContactRuleSettings>& rules) {
+  for (const ContactRuleSettings& r : rules) {
+    out.table("contacts." + inQuotes(r.name));
+    if (r.between.given()) {
+      const Located<std::vector<std::vector<std::string>>> both{{*r.between, *r.with}, {}};
+      out.value("between", both);
+    }
+    if (r.within.given()) out.value("within", r.within);
+    if (r.self.given()) out.value("self", r.self);
+    if (r.check.given()) out.value("check", r.check);
+    if (r.points.given()) out.value("points", r.points);
+    const SurfacePairSettings& p = r.surface;
+    if (p.law.given()) out.value("law", p.law);
+    if (p.friction.given()) out.value("friction", p.friction);
+    for (const auto& [key, value] : numbersOf(p)) {
+      if (value->given()) out.value(key, *value);
+    }
+  }
+}
+
 void writeSurfaces(ScenarioWriter& out, const std::vector<SurfacePairSettings>& pairs) {
   for (const SurfacePairSettings& p : pairs) {
     out.table(fmt::format("surfaces.{}-{}", p.first, p.second));
     out.value("law", p.law);
-    out.value("stiffness", p.stiffness);
-    out.value("restitution_factor", p.restitution_factor);
-    out.value("blend_speed", p.blend_speed);
-    out.value("dissipation", p.dissipation);
     out.value("friction", p.friction);
-    out.value("viscous_friction", p.viscous_friction);
-    out.value("friction_coefficient", p.friction_coefficient);
-    out.value("stick_speed", p.stick_speed);
-    out.value("turning_friction", p.turning_friction);
-    out.value("rolling_resistance", p.rolling_resistance);
+    for (const auto& [key, value] : numbersOf(p)) out.value(key, *value);
   }
 }
 
@@ -179,6 +204,7 @@ std::string writeScenario(const Scene& scene) {
   writeField(out, scene.field);
   writeBall(out, scene.ball);
   writeSurfaces(out, scene.surfaces);
+  writeContacts(out, scene.contacts);
   for (const TeamSettings* team : {&scene.red, &scene.blue}) {
     out.table("teams." + team->name);
     out.value("attacks", Located<std::string>{*team->attacks_positive_x ? "+x" : "-x", {}});

@@ -82,6 +82,17 @@ struct SurfacePairSettings {
   Located<double> rolling_resistance;            ///< c_rr [1]
 };
 
+/// A rule of world/contact_rules.h: pairs of objects for which something else holds than for their surfaces.
+struct ContactRuleSettings {
+  std::string name;
+  SourceLocation where;                             ///< of its table
+  Located<std::vector<std::string>> between, with;  ///< patterns of the first and the second object of a pair
+  Located<std::vector<std::string>> within, self;   ///< one of between, within and self is given
+  Located<bool> check{true, {}};
+  Located<std::string> points{"manifold", {}};  ///< "manifold" or "one"
+  SurfacePairSettings surface;                  ///< values that are given hold
+};
+
 struct TeamSettings {
   std::string name;                  ///< "red" or "blue"
   Located<bool> attacks_positive_x;  ///< red: true, blue: false, unless the scenario says otherwise
@@ -135,6 +146,7 @@ struct Scene {
   FieldSettings field;
   BallSettings ball;
   std::vector<SurfacePairSettings> surfaces;  ///< built-in table and the scenario's changes, sorted by (first, second)
+  std::vector<ContactRuleSettings> contacts;  ///< the later over the earlier
   TeamSettings red{"red", {true, {}}}, blue{"blue", {false, {}}};
   std::vector<RobotSettings> robots;  ///< red before blue, then by number
   RefereeSettings referee;

@@ -72,10 +72,9 @@ bool startNewPair(const TextNode& node, std::vector<SurfacePairSettings>& pairs,
   return false;
 }
 
-void readPair(const TextNode& node, SurfacePairSettings& pair, Diagnostics& diagnostics) {
-  const TableReader reader(&node, "surfaces.A-B", diagnostics);
-  reader.refuseUnknownKeys();
-  pair.where = node.key_where;
+}  // namespace
+
+void readSurfacePair(const TableReader& reader, SurfacePairSettings& pair, Diagnostics& diagnostics) {
   reader.read("law", pair.law);
   reader.read("stiffness", pair.stiffness);
   reader.read("restitution_factor", pair.restitution_factor);
@@ -95,8 +94,6 @@ void readPair(const TextNode& node, SurfacePairSettings& pair, Diagnostics& diag
   }
   pair.friction = {"coulomb", pair.friction_coefficient.where};
 }
-
-}  // namespace
 
 std::vector<SurfacePairSettings> builtInSurfacePairs() {
   std::vector<SurfacePairSettings> pairs;
@@ -158,7 +155,10 @@ std::vector<SurfacePairSettings> readSurfaces(const TextNode* table, Diagnostics
       pair = &pairs.emplace_back();
       std::tie(pair->first, pair->second) = names;
     }
-    readPair(node, *pair, diagnostics);
+    const TableReader reader(&node, "surfaces.A-B", diagnostics);
+    reader.refuseUnknownKeys();
+    pair->where = node.key_where;
+    readSurfacePair(reader, *pair, diagnostics);
   }
   std::sort(pairs.begin(), pairs.end(), [](const SurfacePairSettings& a, const SurfacePairSettings& b) {
     return std::tie(a.first, a.second) < std::tie(b.first, b.second);

@@ -171,8 +171,46 @@ bool TableReader::read(std::string_view key, Located<Vec3<double>>& target) cons
   return true;
 }
 
+namespace {
+
+/// One name, or an array of them that is not empty.
+std::optional<std::vector<std::string>> namesOf(const TextNode& node) {
+  if (node.kind == TextNode::Kind::kText) return std::vector{std::get<std::string>(node.scalar)};
+  if (node.kind != TextNode::Kind::kArray || node.children.empty()) return std::nullopt;
+  std::vector<std::string> names;
+  for (const TextNode& child : node.children) {
+    if (child.kind != TextNode::Kind::kText) return std::nullopt;
+    names.push_back(std::get<std::string>(child.scalar));
+  }
+  return names;
+}
+
+}  // namespace
+
+bool TableReader::read(std::string_view key, Located<std::vector<std::string>>& target) const {
+  const TextNode* node = child(key);
+  if (node == nullptr) return false;
+  const std::optional<std::vector<std::string>> names = namesOf(*node);
+  if (!names) return fail(*node, keyOf(section_, key));
+  target = {*names, node->where};
+  return true;
+}
+
+bool TableReader::read(std::string_view key, Located<std::vector<std::string>>& first,
+                       Located<std::vector<std::string>>& second) const {
+  const TextNode* node = child(key);
+  if (node == nullptr) return false;
+  const bool two = node->kind == TextNode::Kind::kArray && node->children.size() == 2;
+  const auto a = two ? namesOf(node->children[0]) : std::nullopt;
+  const auto b = two ? namesOf(node->children[1]) : std::nullopt;
+  if (!a || !b) return fail(*node, keyOf(section_, key));
+  first = {*a, node->where};
+  second = {*b, node->where};
+  return true;
+}
+
 void TableReader::refuseUnknownKeys(const std::vector<std::string>& more) const {
-  constexpr std::size_t kFewKeys = 8;
+  constexpr std::size_t kFewKeys = 9;
   if (table_ == nullptr) return;
   std::vector<std::string> known = keysOfSection(section_);
   known.insert(known.end(), more.begin(), more.end());

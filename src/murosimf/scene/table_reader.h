@@ -32,6 +32,11 @@ class TableReader {
   bool read(std::string_view key, Located<PlanarPose>& target) const;
   bool read(std::string_view key, Located<Vec3<double>>& target) const;  ///< [x, y] or [x, y, z]
 
+  bool read(std::string_view key, Located<std::vector<std::string>>& target) const;  ///< kNames
+  /// Both of kTwoNames.
+  bool read(std::string_view key, Located<std::vector<std::string>>& first,
+            Located<std::vector<std::string>>& second) const;
+
   /// Reports keys that the section does not have; `more` are allowed too.
   void refuseUnknownKeys(const std::vector<std::string>& more = {}) const;
   /// The child at the key, nullptr when absent.

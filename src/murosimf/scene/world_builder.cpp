@@ -10,6 +10,7 @@
 #include "murosimf/modules/actuation/motor_properties.h"
 #include "murosimf/modules/sensing/sensor_errors.h"
 #include "murosimf/robot/urdf_reader.h"
+#include "murosimf/scene/contact_builder.h"
 #include "murosimf/simulation/focus_rules.h"
 #include "murosimf/world/vocabulary.h"
 
@@ -25,35 +26,13 @@ Colour markColour(const std::string& team) {
 
 WorldBuilder::WorldBuilder(const Scene& scene, Diagnostics& diagnostics)
     : scene_(scene), diagnostics_(diagnostics), servos_(diagnostics), world_(std::make_shared<World>()) {
-  addSurfaces();
+  addSurfaces(*world_, scene);
   addRobots();
   if (*scene.ball.present) addBall();
 }
 
 void WorldBuilder::addFixed(const std::vector<ObjectId>& objects) {
   participants_.fixed.insert(participants_.fixed.end(), objects.begin(), objects.end());
-}
-
-void WorldBuilder::addSurfaces() {
-  SurfaceTable table;
-  for (const SurfacePairSettings& s : scene_.surfaces) {
-    SurfacePair pair;
-    pair.normal_law = *s.law == "paper"           ? NormalLaw::kPaper
-                      : *s.law == "hunt_crossley" ? NormalLaw::kHuntCrossley
-                                                  : NormalLaw::kSmooth;
-    pair.friction_law = *s.friction == "coulomb" ? FrictionLaw::kCoulomb : FrictionLaw::kViscous;
-    pair.stiffness = *s.stiffness;
-    pair.restitution_factor = *s.restitution_factor;
-    pair.blend_speed = *s.blend_speed;
-    pair.dissipation = *s.dissipation;
-    pair.friction = *s.friction_coefficient;
-    pair.stick_speed = *s.stick_speed;
-    pair.viscous_friction = *s.viscous_friction;
-    pair.turning_friction = *s.turning_friction;
-    pair.rolling_resistance = *s.rolling_resistance;
-    table.set(s.first, s.second, pair);
-  }
-  world_->set(world_->root(), kSurfaceTable, std::move(table));
 }
 
 const RobotBlueprint* WorldBuilder::blueprint(const RobotSettings& robot) {
@@ -151,6 +130,7 @@ void WorldBuilder::addBall() {
 }
 
 std::unique_ptr<Simulation> WorldBuilder::link(const ModuleRegistry& registry, const ControlPrograms& programs) {
+  addContactRules(*world_, scene_, participants_, diagnostics_);
   Linker linker(*world_, registry, {*scene_.simulation.frame, *scene_.simulation.lanes});
   linker.alsoKnows({std::string(kMass.name), std::string(kBlockingRadius.name), std::string(kServoFile.name)});
   const bool chosen = assignModules(linker, registry);
@@ -162,11 +142,22 @@ std::unique_ptr<Simulation> WorldBuilder::link(const ModuleRegistry& registry, c
   // Where a choice is wrong already, the linker would only complain of what is missing then.
   std::unique_ptr<LinkedWorld> linked = chosen ? linker.link(diagnostics_) : nullptr;
   if (diagnostics_.hasErrors() || linked == nullptr) return nullptr;
-  auto simulation = std::make_unique<Simulation>(world_, std::move(linked), participants_);
+  std::unique_ptr<Simulation> simulation = joinAll(std::move(linked));
+  if (simulation == nullptr) return nullptr;
   attachControl(*simulation);
   placeAll(*simulation);
   addFocus(*simulation);
   return simulation;
+}
+
+/// Null after an error: what touches nothing says how.
+std::unique_ptr<Simulation> WorldBuilder::joinAll(std::unique_ptr<LinkedWorld> linked) {
+  try {
+    return std::make_unique<Simulation>(world_, std::move(linked), participants_);
+  } catch (const std::invalid_argument& problem) {
+    diagnostics_.error({scene_.file.string(), 0, 0}, problem.what());
+    return nullptr;
+  }
 }
 
 bool WorldBuilder::assignModules(Linker& linker, const ModuleRegistry& registry) {

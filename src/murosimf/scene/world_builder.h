@@ -54,10 +54,10 @@ class WorldBuilder {
   const RobotBlueprint* blueprint(const RobotSettings& robot);
   void addRobots();
   void addBall();
-  void addSurfaces();
   void setProperty(const RobotSettings& robot, const NamedValue& property);
   void sumMass(ObjectId robot);
   void checkSurfaces(const RobotModel& model);
+  std::unique_ptr<Simulation> joinAll(std::unique_ptr<LinkedWorld> linked);
   bool assignModules(Linker& linker, const ModuleRegistry& registry);
   void chooseCameras(Outfit& outfit);
   void chooseProgram(Outfit& outfit, const ControlPrograms& programs);

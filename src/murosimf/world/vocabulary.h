@@ -5,6 +5,7 @@
 /// Frames: W the field (origin at its centre, z up), B the base body of a robot, S a sole (centre of its lower face).
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "murosimf/algorithms/camera_model.h"
@@ -15,8 +16,8 @@
 #include "murosimf/algorithms/touch_response.h"
 #include "murosimf/algorithms/tree_table.h"
 #include "murosimf/math/spatial.h"
+#include "murosimf/world/contact_rules.h"
 #include "murosimf/world/property.h"
-#include "murosimf/world/surface_table.h"
 
 namespace murosimf {
 
@@ -52,6 +53,12 @@ struct ServoCommand {
   double position = 0, velocity = 0, torque = 0, kp = 0, kd = 0;
 };
 
+/// How an integrator moves in a step: what whoever pushes from outside must know of it.
+struct StepManner {
+  double end_velocity_share = 0.5;  ///< the position moves by h ((1 - s) v + s v+)
+  double held_turn = 0.5;           ///< a force held in a body's axes has turned by this share of the step's turn
+};
+
 /// Ten numbers that robots of one batch may differ in.
 template <>
 inline constexpr bool kIsNumeric<RigidInertia<double>> = true;
@@ -61,6 +68,10 @@ inline constexpr Constant<TreeTable> kTree{"tree", "", "kinematic tree of bodies
 inline constexpr Constant<std::vector<SolePlace>> kSoles{"soles", "", "places of the soles, right ones first"};
 inline constexpr Constant<MountPlace> kImuPlace{"imu_place", "", "mount of the inertial measurement unit"};
 inline constexpr Constant<std::vector<PlacedShape>> kShapes{"shapes", "", "shapes of all bodies"};
+inline constexpr Constant<std::vector<ContactTerms>> kGroundTerms{
+    "ground_terms", "", "of each shape with the ground, where rules speak of it"};
+inline constexpr Constant<std::vector<std::pair<int, int>>> kIgnoredPairs{
+    "ignored_pairs", "", "rows of bodies that never touch each other, smaller first, ascending"};
 inline constexpr Constant<double> kLowerLimit{"lower_limit", "rad", "smallest joint position"};
 inline constexpr Constant<double> kUpperLimit{"upper_limit", "rad", "largest joint position"};
 inline constexpr Constant<double> kLargestVelocity{"largest_velocity", "rad/s", "no-load speed of the servo"};
@@ -95,6 +106,7 @@ inline constexpr Constant<std::vector<int>> kHiddenRows{"hidden_rows", "", "bodi
 // Constants of the world's root.
 inline constexpr std::string_view kGroundSurface = "turf";  ///< surface type of the ground
 inline constexpr Constant<SurfaceTable> kSurfaceTable{"surface_table", "", "what happens between types of surface"};
+inline constexpr Constant<std::vector<ContactRule>> kContactRules{"contact_rules", "", "where it is otherwise"};
 inline constexpr Constant<PaintedGround> kGround{"ground", "", "carpet and painted lines"};
 
 // Variables that come from outside the modules.
@@ -155,12 +167,16 @@ inline constexpr Variable<SpatialMotion<double>> kBodyAcceleration{
 // Variables of contacts with what can move; their forces are the pair phase's.
 inline constexpr Variable<SpatialForce<double>> kPairForce{
     "pair_force", "SI", "held over the frame, in the body's axes at its start, about its origin"};
+inline constexpr Variable<double> kContactDetail{
+    "contact_detail", "1", "which shapes touch: 0 those of the feet, 1 bounding spheres, 2 all primitives"};
 inline constexpr Variable<double> kPairTouch{"pair_touch", "1", "1 where pair_force of any body is not zero"};
 inline constexpr Variable<double> kJointsYield{"joints_yield", "1",
                                                "1: joints give way to an impulse; 0: the robot recoils as one body"};
 
 inline constexpr Variable<double> kEventFunction{
     "event_function", "SI", "changes its sign where forces jump: a gap, a distance from a limit", Storage::kStep};
+
+inline constexpr Variable<StepManner> kStepManner{"step_manner", "1", "how the integrator moves in a step"};
 
 // Variables that tell how well a motion has been integrated.
 inline constexpr Variable<double> kIntegrationError{

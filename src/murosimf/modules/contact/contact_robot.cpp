@@ -17,6 +17,20 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 double halfThickness(const Shape& shape) { return min(shape.half_size.x, min(shape.half_size.y, shape.half_size.z)); }
 
+/// The pose in the middle of two: the mean of the rotations' columns, made orthogonal by a step of Newton's method for
+/// the polar factor [Higham 1986]. It is right to the fourth power of the angle between them.
+Pose halfway(const Pose& a, const Pose& b) {
+  const auto mean = [](const Vector3& u, const Vector3& v) { return (u + v) * 0.5; };
+  const Rotation3 Q{mean(a.rotation.x, b.rotation.x), mean(a.rotation.y, b.rotation.y),
+                    mean(a.rotation.z, b.rotation.z)};
+  const double xy = dot(Q.x, Q.y), xz = dot(Q.x, Q.z), yz = dot(Q.y, Q.z);
+  const auto corrected = [](const Vector3& column, const Vector3& by) { return column * 1.5 - by * 0.5; };
+  return {{corrected(Q.x, Q.x * dot(Q.x, Q.x) + Q.y * xy + Q.z * xz),
+           corrected(Q.y, Q.x * xy + Q.y * dot(Q.y, Q.y) + Q.z * yz),
+           corrected(Q.z, Q.x * xz + Q.y * yz + Q.z * dot(Q.z, Q.z))},
+          mean(a.translation, b.translation)};
+}
+
 bool anyLevelHas(const LinkedWorld& linked, ObjectId robot, std::string_view property, std::string_view of) {
   const std::vector<LevelSeat>& levels = linked.residentOf(robot).levels;
   return std::any_of(levels.begin(), levels.end(), [&](const LevelSeat& seat) {
@@ -26,31 +40,30 @@ bool anyLevelHas(const LinkedWorld& linked, ObjectId robot, std::string_view pro
 
 }  // namespace
 
-std::vector<Obstacle> obstaclesOf(const World& world, ObjectId object) {
+std::vector<Obstacle> obstaclesOf(const World& world, ObjectId object, ContactTable& table) {
   std::vector<Obstacle> obstacles;
+  const std::span<const ObjectId> bodies = world.members(object, subset::kBodies);
   std::uint16_t number = 0;
   for (const PlacedShape& s : *world.findShared(object, kShapes)) {
     const std::uint16_t own_number = number++;
     if (!s.collides) continue;
+    const ObjectId body = index(s.row) < bodies.size() ? bodies[index(s.row)] : object;
     obstacles.push_back({s.row, s.X_BS, s.shape, collisionShapeOf(s.shape), boundingRadius(s.shape),
-                         halfThickness(s.shape), own_number, s.touch_sensor, s.surface});
+                         halfThickness(s.shape), own_number, s.touch_sensor,
+                         table.kindOf(world.path(body), s.surface)});
   }
   return obstacles;
 }
 
-SurfacePair surfacePairOf(const World& world, std::string_view a, std::string_view b) {
-  const SurfacePair* pair = world.findShared(world.root(), kSurfaceTable)->find(a, b);
-  if (pair == nullptr) throw std::invalid_argument(fmt::format("no surface pair of {} and {}", a, b));
-  return *pair;
-}
+const std::vector<Obstacle> ContactRobot::kNoShapes;
 
-ContactRobot::ContactRobot(const World& world, LinkedWorld& linked, ObjectId robot)
+ContactRobot::ContactRobot(const World& world, LinkedWorld& linked, ObjectId robot, ContactTable& table)
     : object_(robot),
       name_(hashName(world.path(robot))),
       path_(linked, robot),
       mass_(*world.find(robot, kMass)),
-      shapes_(obstaclesOf(world, robot)),
       may_recoil_(anyLevelHas(linked, robot, kPairForce.name, subset::kBodies)),
+      detail_(linked.handle(robot, kContactDetail)),
       push_(linked.handle(robot, kPushForce, subset::kTouchSensors)),
       pair_touch_(linked.handle(robot, kPairTouch)),
       joints_yield_(linked.handle(robot, kJointsYield)),
@@ -58,16 +71,38 @@ ContactRobot::ContactRobot(const World& world, LinkedWorld& linked, ObjectId rob
       pair_force_(linked.handle(robot, kPairForce, subset::kBodies)),
       base_velocity_(linked.handle(robot, kBaseVelocity)),
       dq_(linked.handle(robot, kJointVelocity, subset::kJoints)),
+      manner_(linked.handle(robot, kStepManner)),
       resident_(&linked.residentOf(robot)) {
+  findShapes(world, table);
   findReach(world);
   int rows = 1;
-  for (const Obstacle& shape : shapes_) rows = std::max(rows, shape.row + 1);
+  for (const Obstacle& shape : primitives()) rows = std::max(rows, shape.row + 1);
   if (const TreeTable* tree = world.findShared(robot, kTree)) rows = std::max(rows, tree->bodyCount());
   partner_of_row_.assign(index(rows), -1);
   memory_.resize(index(rows));
   X_WB_.resize(index(rows));
+  seen_.resize(index(rows));
   rows_.reserve(index(rows)), pushed_.reserve(index(rows));
   if (may_recoil_) readMasses(world);
+}
+
+void ContactRobot::findShapes(const World& world, ContactTable& table) {
+  std::vector<Obstacle>& primitives = shapes_of_[index(static_cast<int>(ContactDetail::kPrimitives))];
+  primitives = obstaclesOf(world, object_, table);
+  for (Obstacle sphere : primitives) {
+    sphere.shape = makeSphere(sphere.reach);
+    sphere.collision = collisionSphere(sphere.reach);
+    sphere.thickness = sphere.reach;
+    shapes_of_[index(static_cast<int>(ContactDetail::kBoundingSpheres))].push_back(sphere);
+  }
+  const std::vector<SolePlace>* soles = world.findShared(object_, kSoles);
+  for (const Obstacle& shape : primitives) {
+    const bool of_a_foot = soles != nullptr && std::any_of(soles->begin(), soles->end(), [&](const SolePlace& sole) {
+                             return sole.mount.row == shape.row;
+                           });
+    if (of_a_foot) shapes_of_[index(static_cast<int>(ContactDetail::kFeet))].push_back(shape);
+  }
+  if (const auto* ignored = world.findShared(object_, kIgnoredPairs)) ignored_ = *ignored;
 }
 
 void ContactRobot::findReach(const World& world) {
@@ -79,7 +114,7 @@ void ContactRobot::findReach(const World& world) {
     const double joint = row.kind == JointKind::kRevolute ? 0 : kAnywhere;
     rows.push_back(rows[index(row.parent)] + norm(row.X_PF.translation) + joint);
   }
-  for (const Obstacle& o : shapes_) {
+  for (const Obstacle& o : primitives()) {
     const double way = index(o.row) < rows.size() ? rows[index(o.row)] : kAnywhere;
     reach_ = std::max(reach_, way + norm(o.X_BS.translation) + o.reach);
   }
@@ -98,8 +133,14 @@ void ContactRobot::readMasses(const World& world) {
 }
 
 int ContactRobot::touchSensorOf(std::uint16_t shape) const {
-  const auto found = std::find_if(shapes_.begin(), shapes_.end(), [&](const Obstacle& o) { return o.number == shape; });
-  return found == shapes_.end() ? -1 : found->touch_sensor;
+  const auto found =
+      std::find_if(primitives().begin(), primitives().end(), [&](const Obstacle& o) { return o.number == shape; });
+  return found == primitives().end() ? -1 : found->touch_sensor;
+}
+
+bool ContactRobot::ignores(int row, int other) const {
+  return row == other ||
+         std::binary_search(ignored_.begin(), ignored_.end(), std::pair<int, int>(std::minmax(row, other)));
 }
 
 void ContactRobot::clearSensors() {
@@ -110,7 +151,11 @@ void ContactRobot::begin(long frame, double dt) {
   for (const int row : rows_) partner_of_row_[index(row)] = -1;
   rows_.clear();
   frame_ = frame, dt_ = dt;
+  shapes_ = detail_.valid() ? &shapes_of_[static_cast<std::size_t>(detail_.get())] : &kNoShapes;
   begin_ = path_.contactShareAt(frame), end_ = path_.contactShareAfter(frame);
+  // A motion that moves by the velocity at its step's end has gone half a step farther than that velocity counts.
+  ahead_ = recoils() && manner_.valid() && manner_.get().end_velocity_share == 1;
+  ++poses_of_;
   forgetWhatWasMoved();
 }
 
@@ -139,6 +184,18 @@ SpatialMotion<double> ContactRobot::motionOf(int row) const {
   return {turns ? parent.w + rate : parent.w, parent.v + cross(parent.w, way) + (turns ? Vector3{} : rate)};
 }
 
+const Pose& ContactRobot::bodyPose(int row) const {
+  SeenPose& seen = seen_[index(row)];
+  if (seen.frame == poses_of_) return seen.X_WB;
+  seen.frame = poses_of_;
+  seen.X_WB = path_.pose(row, begin_);
+  if (!ahead_) return seen.X_WB;
+  constexpr double kJump = 0.05;  // [m] in a frame: no motion, a hand has put it there
+  const Pose before = path_.last(row);
+  if (squaredNorm(seen.X_WB.translation - before.translation) < kJump * kJump) seen.X_WB = halfway(before, seen.X_WB);
+  return seen.X_WB;
+}
+
 int ContactRobot::partner(int row, FrameContacts& frame, int number) {
   int& known = partner_of_row_[index(row)];
   if (known >= 0) return known;
@@ -146,7 +203,7 @@ int ContactRobot::partner(int row, FrameContacts& frame, int number) {
   rows_.push_back(row);
   ContactPartner& partner = frame.partners.emplace_back();
   partner.kind = PartnerKind::kPrescribed;
-  partner.X_start = path_.pose(row, begin_);
+  partner.X_start = bodyPose(row);
   partner.X_end = path_.pose(row, end_);
   partner.mass = mass_;
   if (!recoils()) return known;
@@ -169,7 +226,7 @@ int ContactRobot::partner(int row, FrameContacts& frame, int number) {
 
 const Response* ContactRobot::response() {
   if (!recoils() || rows_.empty()) return nullptr;
-  for (std::size_t i = 0; i < X_WB_.size(); ++i) X_WB_[i] = path_.pose(static_cast<int>(i), begin_);
+  for (std::size_t i = 0; i < X_WB_.size(); ++i) X_WB_[i] = bodyPose(static_cast<int>(i));
   response_->place(X_WB_, joints_yield_.get() > 0);
   return response_.get();
 }
@@ -178,9 +235,11 @@ void ContactRobot::finish(const FrameContacts& frame) {
   if (!recoils()) return;
   for (const int row : pushed_) pair_force_.set({}, row);
   pushed_.clear();
+  const double turn = manner_.valid() ? manner_.get().held_turn : 0;
   for (const int row : rows_) {
     const ContactPartner& partner = frame.partners[index(partner_of_row_[index(row)])];
-    const Rotation3& R = partner.X_start.rotation;
+    const Vector3 w = rotationLog(partner.X_end.rotation * transposed(partner.X_start.rotation));
+    const Rotation3 R = rotationExp(w * turn) * path_.pose(row, begin_).rotation;  // its axes, not halfway ones
     const Vector3 from_reference = partner.X_start.translation - basePosition();
     memory_[index(row)].recoil = {partner.recoil.w, partner.recoil.v + cross(partner.recoil.w, from_reference)};
     if (partner.impulse == Vector3{} && partner.angular_impulse == Vector3{}) continue;

@@ -7,14 +7,18 @@
 ///            drift = (change of motion - recoil) / dt [m/s^2, rad/s^2]; gravity where it was no partner then.
 ///            Motion that takes no forces is prescribed. [physics of the pair phase: pair_solver.h]
 /// State      motion and recoil of the bodies that were partners in the last frame.
+/// Shapes     those that contact_detail says (shape_detection.h); none where it is not there.
 /// Cost       some 10 ns a robot that touches nothing; else what tree_response.h says, and 0.1 us a body that touches.
 
+#include <array>
 #include <memory>
 
 #include "murosimf/algorithms/collision/collision_shape.h"
 #include "murosimf/algorithms/tree_response.h"
 #include "murosimf/linking/body_path.h"
 #include "murosimf/math/state_archive.h"
+#include "murosimf/modules/contact/contact_table.h"
+#include "murosimf/modules/contact/shape_detection.h"
 
 namespace murosimf {
 
@@ -28,10 +32,10 @@ struct Obstacle {
   double thickness = 0;      ///< half of its smallest extent [m]
   std::uint16_t number = 0;  ///< among the shapes of its object, also those that do not collide
   int touch_sensor = -1;     ///< of the robot; -1: none feels it
-  std::string surface;
+  int kind = 0;              ///< in the table of contacts
 };
 /// Those that collide.
-std::vector<Obstacle> obstaclesOf(const World& world, ObjectId object);
+std::vector<Obstacle> obstaclesOf(const World& world, ObjectId object, ContactTable& table);
 
 /// One shape of something that never moves.
 struct FixedObstacle {
@@ -41,21 +45,24 @@ struct FixedObstacle {
   Obstacle shape;
 };
 
-/// @throws std::invalid_argument naming both surfaces when the world's table lacks the pair
-SurfacePair surfacePairOf(const World& world, std::string_view a, std::string_view b);
-
 class ContactRobot {
  public:
-  ContactRobot(const World& world, LinkedWorld& linked, ObjectId robot);
+  ContactRobot(const World& world, LinkedWorld& linked, ObjectId robot, ContactTable& table);
 
   ObjectId object() const { return object_; }
   std::uint64_t name() const { return name_; }
-  const std::vector<Obstacle>& shapes() const { return shapes_; }
+  /// Those with which it touches in this frame, and all that it has.
+  const std::vector<Obstacle>& shapes() const { return *shapes_; }
+  const std::vector<Obstacle>& primitives() const { return shapes_of_.back(); }
   /// How far its shapes can get from its base, its chains stretched out, whatever its joints do [m].
   double reach() const { return reach_; }
   /// Whether it recoils at any of its levels of detail, and at the present one.
   bool mayRecoil() const { return may_recoil_; }
   bool recoils() const { return pair_force_.valid(); }
+  /// Whether its joints give way, so that its own bodies can push one another.
+  bool jointsYield() const { return recoils() && joints_yield_.get() > 0; }
+  /// Whether bodies of these rows are never looked at as a pair.
+  bool ignores(int row, int other) const;
   /// Whether its bodies have places: those of motion that obeys contacts have none before its first step.
   bool present() const { return !shown_.valid() || shown_.get() >= 0; }
   int touchSensorOf(std::uint16_t shape) const;
@@ -63,10 +70,14 @@ class ContactRobot {
   // In this order, every frame:
   /// Forgets the last frame's partners.
   void begin(long frame, double dt);
-  Vector3 basePosition() const { return path_.position(0, begin_); }
+  Vector3 basePosition() const { return bodyPose(0).translation; }
   /// Where a body will be at the frame's end.
   Vector3 nearPosition(int row) const { return path_.position(row, end_); }
-  Pose bodyPose(int row) const { return path_.pose(row, begin_); }
+  /// Where a body is at the frame's start. Motion by implicit Euler shows positions half a step ahead of its
+  /// velocities, which would take e^-((pi/8) w dt (1 + sqrt(s_b))) from every bounce: of it half a step is taken back,
+  /// as the method of leapfrog reads it [Hairer, Lubich, Wanner 2006, I.1]. Then it moves by the mean of both
+  /// velocities as others do.
+  const Pose& bodyPose(int row) const;
   /// The partner of a body, which it adds to the frame where it is not there yet.
   int partner(int row, FrameContacts& frame, int number);
   /// Its response, when it recoils and has partners; null else. Valid until the next frame.
@@ -84,8 +95,14 @@ class ContactRobot {
     long frame = -2;
     SpatialMotion<double> motion, recoil;
   };
+  static const std::vector<Obstacle> kNoShapes;
+  struct SeenPose {
+    long frame = -1;
+    Pose X_WB;
+  };
   SpatialMotion<double> motionOf(int row) const;
   void forgetWhatWasMoved();
+  void findShapes(const World& world, ContactTable& table);
   void findReach(const World& world);
   void readMasses(const World& world);
 
@@ -93,12 +110,15 @@ class ContactRobot {
   std::uint64_t name_;
   BodyPath path_;
   double mass_ = 0, reach_ = 0;
-  std::vector<Obstacle> shapes_;
+  std::array<std::vector<Obstacle>, kContactDetails> shapes_of_;  // of each ContactDetail
+  const std::vector<Obstacle>* shapes_ = &kNoShapes;              // of the frame
+  std::vector<std::pair<int, int>> ignored_;
   bool may_recoil_ = false;
-  Handle<double> push_, pair_touch_, joints_yield_, shown_;
+  Handle<double> detail_, push_, pair_touch_, joints_yield_, shown_;
   Handle<SpatialForce<double>> pair_force_;
   Handle<SpatialMotion<double>> base_velocity_;
   Handle<double> dq_;
+  Handle<StepManner> manner_;
   const Resident* resident_;
   std::unique_ptr<TreeResponse::Constants> masses_;  // null where the robot never recoils
   std::unique_ptr<TreeResponse> response_;           // same
@@ -110,6 +130,9 @@ class ContactRobot {
   long frame_ = 0;
   double dt_ = 0, begin_ = 0, end_ = 0;
   std::vector<int> partner_of_row_, rows_, pushed_;  // pushed_: rows whose pair_force is not zero
+  bool ahead_ = false;
+  long poses_of_ = 0;
+  mutable std::vector<SeenPose> seen_;  // of each row, in the frame poses_of_
   std::vector<Pose> X_WB_;
 };
 

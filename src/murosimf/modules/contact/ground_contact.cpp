@@ -38,9 +38,12 @@ int soleOf(const PlacedShape& s, const std::vector<SolePlace>& soles) {
   return -1;
 }
 
-SurfacePair pairWithGround(const SurfaceTable& table, const std::string& surface) {
+/// What rules say of a shape with the ground, or the table's pair.
+ContactTerms termsWithGround(const std::vector<ContactTerms>& terms, std::size_t shape, const SurfaceTable& table,
+                             const std::string& surface) {
+  if (shape < terms.size()) return terms[shape];
   const SurfacePair* pair = table.find(surface, kGroundSurface);
-  if (pair != nullptr) return *pair;
+  if (pair != nullptr) return {true, false, *pair};
   throw std::invalid_argument(fmt::format("no surface pair of {0} and {1}; expected [surfaces.{0}-{1}] in the scenario",
                                           surface, kGroundSurface));
 }
@@ -69,6 +72,7 @@ void GroundContact::declare(Declaration& d) const {
   d.needs(kShapes);
   d.uses(kSoles, {});
   d.needs(kSurfaceTable, subset::kWorld);
+  d.uses(kGroundTerms, {});
   d.reads(kBodyTwist, subset::kBodies);
   d.reads(kBodyUp, subset::kBodies);
   d.reads(kBodyHeight, subset::kBodies);
@@ -82,9 +86,13 @@ void GroundContact::declare(Declaration& d) const {
 void GroundContact::link(Links& links) {
   const SurfaceTable table = links.shared(kSurfaceTable, subset::kWorld);
   const std::vector<SolePlace> soles = links.shared(kSoles);
+  const std::vector<ContactTerms> rules = links.shared(kGroundTerms);
   const int rows = links.shared(kTree).bodyCount();
+  std::size_t number = 0;
   for (const PlacedShape& s : links.shared(kShapes)) {
-    if (!s.collides) continue;
+    const ContactTerms terms = s.collides ? termsWithGround(rules, number, table, s.surface) : ContactTerms{};
+    ++number;
+    if (!s.collides || !terms.check) continue;
     if (s.row < 0 || s.row >= rows) throw std::invalid_argument(fmt::format("a shape on row {} of {}", s.row, rows));
     GroundShape& shape = shapes_.emplace_back();
     shape.kind = kindOf(s.shape.kind);
@@ -96,7 +104,7 @@ void GroundContact::link(Links& links) {
     std::copy(half_size, half_size + 3, shape.half_size);
     placeCorners(s, shape);
     shape.reach = boundingRadius(s.shape);
-    shape.pair = pairWithGround(table, s.surface);
+    shape.pair = terms.surface;
     if (laws_) shape.pair.normal_law = laws_->normal, shape.pair.friction_law = laws_->friction;
     shape.stiffness = shape.pair.stiffness / restingPoints(s.shape.kind);
   }

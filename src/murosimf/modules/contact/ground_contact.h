@@ -3,12 +3,12 @@
 /// @file A robot's own contact with the ground z = 0.
 ///
 /// Model      algorithms/ground_contact.h for every shape that collides; constants of the pair of its surface and the
-///            ground's ("turf") in the world's surface_table. Each point carries the pair's stiffness over the number
-///            of points on which its shape rests: 4 of a box, 3 of a cylinder, 1 of an ellipsoid.
-///            ground_contact          law and friction that the table says
-///            paper_contact           `paper` and viscous friction [Friedmann 2007, 3.3.2]
-///            smooth_contact          `smooth` and viscous friction; the default of simplified dynamics
-///            hunt_crossley_contact   `hunt_crossley` and Coulomb friction; the default of multibody dynamics
+///            ground's ("turf") in the world's surface_table, or what ground_terms says. Each point carries the pair's
+///            stiffness over the number of points on which its shape rests: 4 of a box, 3 of a cylinder, 1 of an
+///            ellipsoid. ground_contact          law and friction that the table says paper_contact           `paper`
+///            and viscous friction [Friedmann 2007, 3.3.2] smooth_contact          `smooth` and viscous friction; the
+///            default of simplified dynamics hunt_crossley_contact   `hunt_crossley` and Coulomb friction; the default
+///            of multibody dynamics
 /// Phase      kEvaluate, before the dynamics.
 /// Adds to    body_force; in steps that look ahead contact_touch, with contact_inertia where it is 1; sole_response of
 ///            the soles whose rectangle is the lower face of a box of their body; touch_response of touch sensors.

@@ -1,30 +1,24 @@
 #include "murosimf/modules/contact/pair_forces.h"
 
-#include <algorithm>
-
-#include "murosimf/linking/links.h"
 #include "murosimf/world/vocabulary.h"
 
 namespace murosimf {
+
+PairForces::PairForces(bool joints_yield) : joints_yield_(kJointsYield, joints_yield ? 1.0 : 0.0) {}
 
 void PairForces::declare(Declaration& d) const {
   d.runsIn(Phase::kEvaluate);
   d.accumulates(kBodyForce, subset::kBodies);
   d.adds(kPairForce, subset::kBodies);
   d.adds(kPairTouch);
-  d.adds(kJointsYield);
+  joints_yield_.declare(d);
 }
 
 void PairForces::link(Links& links) {
   arguments_ = {links.count(subset::kBodies), links.column(kPairTouch), links.column(kPairForce, subset::kBodies),
                 links.column(kBodyForce, subset::kBodies)};
-  yield_ = links.column(kJointsYield);
-  width_ = links.width();
-  kernel_ = kernelOfWidth<PairForcesArguments>(width_);
-}
-
-void PairForces::initialise(const BlockMemory& block) const {
-  std::fill_n(block.piece[static_cast<int>(yield_.memory)] + yield_.offset * width_, width_, joints_yield_ ? 1.0 : 0.0);
+  joints_yield_.link(links);
+  kernel_ = kernelOfWidth<PairForcesArguments>(links.width());
 }
 
 }  // namespace murosimf

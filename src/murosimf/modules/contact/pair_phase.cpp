@@ -30,9 +30,11 @@ const OutsideAccess& PairPhase::robotAccess() {
     d.needs(kShapes);
     d.reads(kBodyPose, subset::kBodies);
     d.reads(kBodyPoseLast, subset::kBodies);
+    d.readsIfAdded(kContactDetail);
     d.sets(kPairForce, subset::kBodies);
     d.sets(kPairTouch);
     d.readsIfAdded(kJointsYield);
+    d.readsIfAdded(kStepManner);
     d.readsIfAdded(kPlacementsShown);
     d.readsIfAdded(kBaseVelocity);
     d.readsIfAdded(kJointVelocity, subset::kJoints);
@@ -42,55 +44,56 @@ const OutsideAccess& PairPhase::robotAccess() {
 }
 
 PairPhase::PairPhase(const World& world, LinkedWorld& linked, std::vector<ObjectId> free_bodies,
-                     std::vector<ObjectId> robots, std::vector<ObjectId> fixed) {
+                     std::vector<ObjectId> robots, std::vector<ObjectId> fixed)
+    : table_(std::make_unique<ContactTable>(world)),
+      ground_kind_(table_->kindOf(std::string(kGroundPath), std::string(kGroundSurface))) {
+  addAll(world, linked, free_bodies, robots, fixed);
+  agree();
+  robot_pairs_ = RobotPairs(*table_, robots_, fixed_);
+  reserve();
+}
+
+void PairPhase::addAll(const World& world, LinkedWorld& linked, const std::vector<ObjectId>& free_bodies,
+                       const std::vector<ObjectId>& robots, const std::vector<ObjectId>& fixed) {
   for (const ObjectId id : free_bodies) {
     const double mass = *world.find(id, kMass), radius = *world.find(id, kBallRadius);
     moving_.push_back({id, linked.handle(id, kBasePose), linked.handle(id, kBodyVelocity), linked.handle(id, kBodyRate),
                        mass, *world.find(id, kInertiaFactor) * mass * radius * radius, radius, hashName(world.path(id)),
-                       world.findShared(id, kShapes)->front().surface});
+                       table_->kindOf(world.path(id), world.findShared(id, kShapes)->front().surface)});
   }
-  for (const Moving& body : moving_) {
-    ground_.push_back(surfacePairOf(world, body.surface, kGroundSurface));
-    for (const Moving& other : moving_) {
-      if (&other < &body) between_.push_back(surfacePairOf(world, body.surface, other.surface));
-    }
-  }
-  for (const ObjectId id : robots)
-    robot_surfaces_.push_back(surfacesOf(world, robots_.emplace_back(world, linked, id).shapes()));
+  for (const ObjectId id : robots) robots_.emplace_back(world, linked, id, *table_);
   for (const ObjectId id : fixed) {
-    for (Obstacle& obstacle : obstaclesOf(world, id)) {
-      const Pose X_WB = *world.find(id, kFixedPose);
-      fixed_surfaces_.push_back(surfacesOf(world, {obstacle}).front());
-      fixed_.push_back({id, hashName(world.path(id)), X_WB, std::move(obstacle)});
+    for (const Obstacle& obstacle : obstaclesOf(world, id, *table_))
+      fixed_.push_back({id, hashName(world.path(id)), *world.find(id, kFixedPose), obstacle});
+  }
+}
+
+/// On what free bodies touch; robots' own contacts are robot_pairs_'.
+void PairPhase::agree() {
+  for (const Moving& body : moving_) {
+    table_->agree(body.kind, ground_kind_);
+    for (const Moving& other : moving_) {
+      if (&other < &body) table_->agree(body.kind, other.kind);
+    }
+    for (const FixedObstacle& fixed : fixed_) table_->agree(body.kind, fixed.shape.kind);
+    for (const ContactRobot& robot : robots_) {
+      for (const Obstacle& shape : robot.primitives()) table_->agree(body.kind, shape.kind);
     }
   }
-  robot_pairs_ = RobotPairs(world, robots_, fixed_);
-  reserve();
 }
 
 /// A frame never needs more than this, so that none allocates.
 void PairPhase::reserve() {
   std::size_t others = 1 + fixed_.size();
-  for (const ContactRobot& robot : robots_) others += robot.shapes().size();
+  for (const ContactRobot& robot : robots_) others += robot.primitives().size();
   const std::size_t found = robot_pairs_.mostContacts();
-  const std::size_t partners = moving_.size() * others + found, pairs = partners + between_.size();
+  const std::size_t partners = moving_.size() * others + found, pairs = partners + moving_.size() * moving_.size();
   frame_.bodies.reserve(moving_.size());
   frame_.partners.reserve(partners);
   frame_.pairs.reserve(pairs);
   partners_.reserve(partners);
   touches_.reserve(partners);
   solver_.reserve(static_cast<int>(moving_.size()), static_cast<int>(pairs));
-}
-
-/// Of each shape with each free body.
-std::vector<std::vector<SurfacePair>> PairPhase::surfacesOf(const World& world,
-                                                            const std::vector<Obstacle>& shapes) const {
-  std::vector<std::vector<SurfacePair>> all;
-  for (const Obstacle& shape : shapes) {
-    std::vector<SurfacePair>& pairs = all.emplace_back();
-    for (const Moving& body : moving_) pairs.push_back(surfacePairOf(world, body.surface, shape.surface));
-  }
-  return all;
 }
 
 void PairPhase::advance(long frame, double dt) {
@@ -128,7 +131,8 @@ void PairPhase::findPairs(long frame, double dt) {
     for (std::size_t r = 0; r < robots_.size(); ++r) addRobot(i, static_cast<int>(r), reach);
     for (std::size_t k = 0; k < i; ++k) addBodies(i, k);
   }
-  robot_pairs_.find(robots_, fixed_, frame_, [&](ObjectId object, int robot) { nameNewPartner(object, robot); });
+  robot_pairs_.find(robots_, fixed_, solver_.kept(), frame_,
+                    [&](ObjectId object, int robot) { nameNewPartner(object, robot); });
 }
 
 void PairPhase::nameNewPartner(ObjectId object, int robot) {
@@ -163,38 +167,42 @@ void PairPhase::press(const ContactSide& side, std::uint16_t shape, double force
 
 void PairPhase::addBodies(std::size_t body, std::size_t other) {
   const Moving& m = moving_[body];
+  const ContactTerms& terms = table_->between(m.kind, moving_[other].kind);
+  if (!terms.check) return;
   ContactPair& pair = frame_.pairs.emplace_back();
   pair.key = {m.name, moving_[other].name, 0, 0, 0};
   pair.a.body = static_cast<int>(body);
   pair.radius = m.radius;
   pair.b.body = static_cast<int>(other);
   pair.shape = makeSphere(moving_[other].radius);
-  pair.surface = between_[body * (body - 1) / 2 + other];
+  pair.surface = terms.surface;
 }
 
 void PairPhase::addGround(std::size_t body) {
   const Moving& m = moving_[body];
+  const ContactTerms& terms = table_->between(m.kind, ground_kind_);
+  if (!terms.check) return;
   ContactPair& pair = frame_.pairs.emplace_back();
   pair.key = {m.name, hashName(kGroundSurface), 0, 0, 0};
   pair.a.body = static_cast<int>(body);
   pair.radius = m.radius;
   pair.b.partner = static_cast<int>(frame_.partners.size());
   pair.plane = true;
-  pair.surface = ground_[body];
+  pair.surface = terms.surface;
   frame_.partners.emplace_back();
   nameNewPartner({}, -1);
 }
 
 void PairPhase::addFixed(std::size_t body, double reach) {
   const Vector3 centre = frame_.bodies[body].X_WB.translation;
-  for (std::size_t i = 0; i < fixed_.size(); ++i) {
-    const FixedObstacle& fixed = fixed_[i];
+  for (const FixedObstacle& fixed : fixed_) {
     const double far = reach + fixed.shape.reach;
     if (squaredNorm(fixed.X_WB * fixed.shape.X_BS.translation - centre) > far * far) continue;
+    if (!table_->between(moving_[body].kind, fixed.shape.kind).check) continue;
     ContactPartner& partner = frame_.partners.emplace_back();
     partner.X_start = partner.X_end = fixed.X_WB;
     nameNewPartner(fixed.object, -1);
-    addPair(body, fixed.shape, fixed.name, fixed_surfaces_[i][body], static_cast<int>(frame_.partners.size()) - 1);
+    addPair(body, fixed.shape, fixed.name, static_cast<int>(frame_.partners.size()) - 1);
   }
 }
 
@@ -203,18 +211,17 @@ void PairPhase::addRobot(std::size_t body, int number, double reach) {
   const Vector3 centre = frame_.bodies[body].X_WB.translation;
   const double far = reach + robot.reach();
   if (!robot.present() || squaredNorm(robot.nearPosition(0) - centre) > far * far) return;
-  for (std::size_t i = 0; i < robot.shapes().size(); ++i) {
-    const Obstacle& shape = robot.shapes()[i];
+  for (const Obstacle& shape : robot.shapes()) {
     const double near = reach + shape.reach + norm(shape.X_BS.translation);
     if (squaredNorm(robot.nearPosition(shape.row) - centre) > near * near) continue;
+    if (!table_->between(moving_[body].kind, shape.kind).check) continue;
     const int partner = robot.partner(shape.row, frame_, number);
     nameNewPartner(robot.object(), number);
-    addPair(body, shape, robot.name(), robot_surfaces_[static_cast<std::size_t>(number)][i][body], partner);
+    addPair(body, shape, robot.name(), partner);
   }
 }
 
-void PairPhase::addPair(std::size_t body, const Obstacle& obstacle, std::uint64_t name, const SurfacePair& surface,
-                        int partner) {
+void PairPhase::addPair(std::size_t body, const Obstacle& obstacle, std::uint64_t name, int partner) {
   ContactPair& pair = frame_.pairs.emplace_back();
   pair.key = {moving_[body].name, name, 0, obstacle.number, 0};
   pair.a.body = static_cast<int>(body);
@@ -222,7 +229,7 @@ void PairPhase::addPair(std::size_t body, const Obstacle& obstacle, std::uint64_
   pair.b.partner = partner;
   pair.shape = obstacle.shape;
   pair.X_PS = obstacle.X_BS;
-  pair.surface = surface;
+  pair.surface = table_->between(moving_[body].kind, obstacle.kind).surface;
 }
 
 void PairPhase::placeBody(ObjectId body, const Pose& X_WB, const Vector3& velocity) {

@@ -10,14 +10,17 @@
 ///
 /// Free bodies   need mass, inertia_factor, ball_radius and one shape (its surface name counts);
 ///               it adds base_pose, body_velocity and body_rate, and moves them every frame.
-/// Robots        it reads body_pose and body_pose_last; shapes with `collides` touch. Whoever takes pair_force recoils
+/// Robots        it reads body_pose and body_pose_last; shapes that shape_detection.h chooses touch. Whoever takes
+/// pair_force recoils
 ///               (contact_robot.h); the motion of others is prescribed: they push with a capped force. It adds
 ///               push_force of their touch sensors: the force of what they touch here on the shapes that the sensor
 ///               feels, mean over the frame.
+/// Who touches   all that the world's contact_rules do not forbid, as its surface_table and they say (contact_table.h).
 /// Static        objects with fixed_pose and shapes; the ground is the half-space below z = 0, surface "turf". Robots
 ///               meet the ground by modules of their own.
 /// State         contacts kept from frame to frame (PairSolver::kept), motion of bodies that touched (contact_robot.h).
 
+#include <memory>
 #include <vector>
 
 #include "murosimf/algorithms/pair_solver.h"
@@ -59,35 +62,34 @@ class PairPhase {
     Handle<Vector3> velocity, rate;
     double mass, inertia, radius;
     std::uint64_t name;
-    std::string surface;
+    int kind;
   };
   struct Partner {  // of the frame
     ObjectId object;
     int robot = -1;
   };
 
-  std::vector<std::vector<SurfacePair>> surfacesOf(const World& world, const std::vector<Obstacle>& shapes) const;
+  void addAll(const World& world, LinkedWorld& linked, const std::vector<ObjectId>& free_bodies,
+              const std::vector<ObjectId>& robots, const std::vector<ObjectId>& fixed);
+  void agree();
   void reserve();
   void findPairs(long frame, double dt);
   void addGround(std::size_t body);
   void addBodies(std::size_t body, std::size_t other);
   void addFixed(std::size_t body, double reach);
   void addRobot(std::size_t body, int number, double reach);
-  void addPair(std::size_t body, const Obstacle& obstacle, std::uint64_t name, const SurfacePair& surface, int partner);
+  void addPair(std::size_t body, const Obstacle& obstacle, std::uint64_t name, int partner);
   void nameNewPartner(ObjectId object, int robot);
   void noteTouches();
   void pressSensors(double dt);
   void press(const ContactSide& side, std::uint16_t shape, double force);
 
+  std::unique_ptr<ContactTable> table_;
+  int ground_kind_;
   std::vector<Moving> moving_;
   std::vector<ContactRobot> robots_;
   std::vector<FixedObstacle> fixed_;
   RobotPairs robot_pairs_;
-  std::vector<SurfacePair> ground_;   // per free body
-  std::vector<SurfacePair> between_;  // of free bodies: (1, 0), (2, 0), (2, 1), (3, 0) ...
-  // With each free body: of every shape of every robot, and of everything fixed.
-  std::vector<std::vector<std::vector<SurfacePair>>> robot_surfaces_;
-  std::vector<std::vector<SurfacePair>> fixed_surfaces_;
   PairSolver solver_;
   FrameContacts frame_;
   std::vector<Partner> partners_;

@@ -30,18 +30,16 @@ struct BoundingBox {
 struct PlacedShapes {
   long frame = -1;  ///< at whose start
   std::vector<Vector3> centres;
-  std::vector<Pose> X_WB;  ///< of the shapes' bodies
   BoundingBox box;
 
-  void reserve(std::size_t shapes) { centres.reserve(shapes), X_WB.reserve(shapes); }
+  void reserve(std::size_t shapes) { centres.reserve(shapes); }
   void place(const ContactRobot& robot, long now) {
     if (frame == now) return;
     frame = now;
-    centres.clear(), X_WB.clear();
+    centres.clear();
     box = {};
     for (const Obstacle& shape : robot.shapes()) {
-      X_WB.push_back(robot.bodyPose(shape.row));
-      centres.push_back(X_WB.back() * shape.X_BS.translation);
+      centres.push_back(robot.bodyPose(shape.row) * shape.X_BS.translation);
       box.hold(centres.back(), shape.reach);
     }
   }

@@ -10,56 +10,66 @@ constexpr std::size_t kContactsPerRobot = 64;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-std::vector<int> distinct(std::vector<int> numbers) {
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-  return numbers;
+std::vector<int> kindsOf(const ContactRobot& robot) {
+  std::vector<int> kinds;
+  for (const Obstacle& shape : robot.primitives()) kinds.push_back(shape.kind);
+  std::sort(kinds.begin(), kinds.end());
+  kinds.erase(std::unique(kinds.begin(), kinds.end()), kinds.end());
+  return kinds;
+}
+
+/// Of the rounder shape; 0 where neither is round.
+double rollingRadius(const Obstacle& a, const Obstacle& b) {
+  double radius = 0;
+  for (const CollisionShape& shape : {a.collision, b.collision}) {
+    const bool round = shape.kind == CollisionKind::kSphere || shape.kind == CollisionKind::kCapsule ||
+                       shape.kind == CollisionKind::kCylinder;
+    if (round && (radius == 0 || shape.half_size.x < radius)) radius = shape.half_size.x;
+  }
+  return radius;
+}
+
+/// Whether any bodies of the robot may touch one another.
+bool agreeWithin(ContactTable& table, const std::vector<int>& kinds) {
+  bool any = false;
+  for (const int a : kinds) {
+    for (const int b : kinds) {
+      table.agreeWithin(a, b);
+      any = any || table.within(a, b).check;
+    }
+  }
+  return any;
 }
 
 }  // namespace
 
-RobotPairs::RobotPairs(const World& world, const std::vector<ContactRobot>& robots,
+RobotPairs::RobotPairs(ContactTable& table, const std::vector<ContactRobot>& robots,
                        const std::vector<FixedObstacle>& fixed)
-    : placed_(robots.size()) {
-  for (const ContactRobot& robot : robots) {
-    std::vector<int>& numbers = robot_surfaces_.emplace_back();
-    for (const Obstacle& shape : robot.shapes()) numbers.push_back(surfaceNumber(shape.surface));
-  }
-  for (const FixedObstacle& obstacle : fixed) fixed_surfaces_.push_back(surfaceNumber(obstacle.shape.surface));
-  pairs_.resize(surfaces_.size() * surfaces_.size());
+    : table_(&table), placed_(robots.size()) {
   grid_.reserve(robots.size());
   discs_.reserve(robots.size());
-  for (std::size_t i = 0; i < robots.size(); ++i) placed_[i].reserve(robots[i].shapes().size());
+  for (std::size_t i = 0; i < robots.size(); ++i) placed_[i].reserve(robots[i].primitives().size());
   const bool nobody = std::none_of(robots.begin(), robots.end(), [](const ContactRobot& r) { return r.mayRecoil(); });
   if (nobody) return;
   most_contacts_ = kContactsPerRobot * robots.size();
-  for (std::size_t i = 0; i < robots.size(); ++i) {
-    const std::vector<int> surfaces = distinct(robot_surfaces_[i]);
-    for (std::size_t j = 0; j < i; ++j) requirePairs(world, surfaces, distinct(robot_surfaces_[j]));
-    requirePairs(world, surfaces, distinct(fixed_surfaces_));
-  }
-}
-
-int RobotPairs::surfaceNumber(const std::string& name) {
-  const auto found = std::find(surfaces_.begin(), surfaces_.end(), name);
-  if (found == surfaces_.end()) surfaces_.push_back(name);
-  return static_cast<int>(std::find(surfaces_.begin(), surfaces_.end(), name) - surfaces_.begin());
-}
-
-void RobotPairs::requirePairs(const World& world, const std::vector<int>& a, const std::vector<int>& b) {
-  for (const int i : a) {
-    for (const int j : b) {
-      std::optional<SurfacePair>& pair = pairs_[index(i) * surfaces_.size() + index(j)];
-      if (!pair) pair = surfacePairOf(world, surfaces_[index(i)], surfaces_[index(j)]);
-      pairs_[index(j) * surfaces_.size() + index(i)] = pair;
+  std::vector<int> met;  // kinds of the robots so far
+  for (const ContactRobot& robot : robots) {
+    const std::vector<int> kinds = kindsOf(robot);
+    touches_itself_.push_back(agreeWithin(table, kinds));
+    for (const int kind : kinds) {
+      for (const int other : met) table.agree(kind, other);
+      for (const FixedObstacle& obstacle : fixed) table.agree(kind, obstacle.shape.kind);
+    }
+    for (const int kind : kinds) {
+      if (std::find(met.begin(), met.end(), kind) == met.end()) met.push_back(kind);
     }
   }
 }
 
-void RobotPairs::find(std::vector<ContactRobot>& robots, const std::vector<FixedObstacle>& fixed, FrameContacts& frame,
-                      const NamePartner& name_partner) {
+void RobotPairs::find(std::vector<ContactRobot>& robots, const std::vector<FixedObstacle>& fixed,
+                      std::span<const KeptContact> kept, FrameContacts& frame, const NamePartner& name_partner) {
   counts_ = {};
-  robots_ = &robots, fixed_ = &fixed, frame_ = &frame, name_partner_ = &name_partner;
+  robots_ = &robots, fixed_ = &fixed, kept_ = kept, frame_ = &frame, name_partner_ = &name_partner;
   ++frame_number_;
   const bool nobody = std::none_of(robots.begin(), robots.end(), [](const ContactRobot& r) { return r.recoils(); });
   if (nobody) return;
@@ -70,7 +80,9 @@ void RobotPairs::find(std::vector<ContactRobot>& robots, const std::vector<Fixed
   }
   for (const auto& [a, b] : grid_.find(discs_)) betweenRobots(a, b);
   for (std::size_t i = 0; i < robots.size(); ++i) {
-    if (robots[i].recoils() && robots[i].present()) withFixed(static_cast<int>(i));
+    if (!robots[i].recoils() || !robots[i].present()) continue;
+    withFixed(static_cast<int>(i));
+    if (touches_itself_[i] && robots[i].jointsYield()) withItself(static_cast<int>(i));
   }
 }
 
@@ -86,8 +98,10 @@ void RobotPairs::betweenRobots(int a, int b) {
     box.hold(of_a.centres[i], shape.reach);
     if (!box.overlaps(of_b.box)) continue;
     for (std::size_t j = 0; j < of_b.centres.size(); ++j) {
-      const double near = shape.reach + robotOf(b).shapes()[j].reach;
-      if (squaredNorm(of_a.centres[i] - of_b.centres[j]) <= near * near) test(sideOf(a, i), sideOf(b, j));
+      const Obstacle& other = robotOf(b).shapes()[j];
+      const double near = shape.reach + other.reach;
+      if (squaredNorm(of_a.centres[i] - of_b.centres[j]) > near * near) continue;
+      test(sideOf(a, i), sideOf(b, j), table_->between(shape.kind, other.kind));
     }
   }
 }
@@ -100,10 +114,25 @@ void RobotPairs::withFixed(int robot) {
     const double far = disc.radius + obstacle.shape.reach, dx = centre.x - disc.x, dy = centre.y - disc.y;
     if (dx * dx + dy * dy > far * far) continue;
     const PlacedShapes& placed = placedOf(robot);
-    const Side fixed_side{-1, &obstacle.shape, fixed_surfaces_[k], obstacle.object, obstacle.name, obstacle.X_WB};
+    const Side fixed_side{-1, &obstacle.shape, obstacle.object, obstacle.name, obstacle.X_WB};
     for (std::size_t i = 0; i < placed.centres.size(); ++i) {
-      const double near = obstacle.shape.reach + robotOf(robot).shapes()[i].reach;
-      if (squaredNorm(placed.centres[i] - centre) <= near * near) test(sideOf(robot, i), fixed_side);
+      const Obstacle& shape = robotOf(robot).shapes()[i];
+      const double near = obstacle.shape.reach + shape.reach;
+      if (squaredNorm(placed.centres[i] - centre) > near * near) continue;
+      test(sideOf(robot, i), fixed_side, table_->between(shape.kind, obstacle.shape.kind));
+    }
+  }
+}
+
+void RobotPairs::withItself(int robot) {
+  const PlacedShapes& placed = placedOf(robot);
+  const std::vector<Obstacle>& shapes = robotOf(robot).shapes();
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    for (std::size_t j = i + 1; j < shapes.size(); ++j) {
+      const double near = shapes[i].reach + shapes[j].reach;
+      if (squaredNorm(placed.centres[i] - placed.centres[j]) > near * near) continue;
+      if (robotOf(robot).ignores(shapes[i].row, shapes[j].row)) continue;
+      test(sideOf(robot, i), sideOf(robot, j), table_->within(shapes[i].kind, shapes[j].kind));
     }
   }
 }
@@ -116,31 +145,50 @@ PlacedShapes& RobotPairs::placedOf(int robot) {
 
 RobotPairs::Side RobotPairs::sideOf(int robot, std::size_t shape) const {
   const ContactRobot& r = (*robots_)[index(robot)];
-  return {robot,      &r.shapes()[shape], robot_surfaces_[index(robot)][shape],
-          r.object(), r.name(),           placed_[index(robot)].X_WB[shape]};
+  return {robot, &r.shapes()[shape], r.object(), r.name(), r.bodyPose(r.shapes()[shape].row)};
 }
 
-void RobotPairs::test(const Side& a, const Side& b) {
+void RobotPairs::test(const Side& a, const Side& b, const ContactTerms& terms) {
+  if (!terms.check) return;
   ++counts_.tested;
   const bool swapped = b.name < a.name;
   const Side &first = swapped ? b : a, &second = swapped ? a : b;
   ContactManifold manifold;
+  const Vector3 last_normal = lastNormal({first.name, second.name, first.shape->number, second.shape->number, 0});
   detectContact(first.shape->collision, first.X_WB * first.shape->X_BS, second.shape->collision,
-                second.X_WB * second.shape->X_BS, manifold);
-  for (int k = 0; k < manifold.count; ++k) addPoint(first, second, manifold, k);
+                second.X_WB * second.shape->X_BS, manifold, last_normal);
+  if (manifold.count == 0) return;
+  if (terms.one_point) {
+    ContactPoint point = deepest(manifold);
+    point.feature = 0;  // what is remembered belongs to the pair, wherever its deepest point goes
+    return addPoint(first, second, terms, point, manifold.normal, 1);
+  }
+  for (int k = 0; k < manifold.count; ++k)
+    addPoint(first, second, terms, manifold.points[k], manifold.normal, manifold.count);
 }
 
-void RobotPairs::addPoint(const Side& a, const Side& b, const ContactManifold& manifold, int k) {
-  const ContactPoint& point = manifold.points[k];
+/// Of any point of these two shapes; zero where they did not touch.
+Vector3 RobotPairs::lastNormal(const ContactKey& key) const {
+  const auto found = std::lower_bound(kept_.begin(), kept_.end(), key,
+                                      [](const KeptContact& contact, const ContactKey& k) { return contact.key < k; });
+  if (found == kept_.end()) return {};
+  ContactKey same = found->key;
+  same.feature = 0;
+  return same == key ? found->normal : Vector3{};
+}
+
+void RobotPairs::addPoint(const Side& a, const Side& b, const ContactTerms& terms, const ContactPoint& point,
+                          const Vector3& normal, int points) {
   ContactPair& pair = frame_->pairs.emplace_back();
   pair.key = {a.name, b.name, a.shape->number, b.shape->number, point.feature};
   pair.a.partner = partnerOf(a);
   pair.b.partner = partnerOf(b);
-  pair.surface = *pairs_[index(a.surface) * surfaces_.size() + index(b.surface)];
+  pair.surface = terms.surface;
   pair.found = true;
   pair.radius = min(a.shape->thickness, b.shape->thickness);
-  pair.share = 1.0 / manifold.count;
-  pair.contact = {point.depth, point.position, manifold.normal};
+  pair.rolling_radius = rollingRadius(*a.shape, *b.shape);
+  pair.share = 1.0 / points;
+  pair.contact = {point.depth, point.position, normal};
   ++counts_.found;
 }
 

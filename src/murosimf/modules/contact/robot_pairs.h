@@ -4,11 +4,12 @@
 ///
 /// Two of which neither recoils have nothing to find here: kinematic robots are kept apart by blocking_phase.h.
 /// Broad phase   robots by the discs that they can reach, in a grid on the field; then their bodies by bounding
-/// spheres. Narrow phase  algorithms/collision/detect_contact.h, up to four points a pair of shapes. Cost          some
-/// 10 ns a robot with nobody near; 1 us two robots that stand side by side; the narrow phase besides.
+///               spheres. Bodies of one robot where rules say that they touch, and its joints give way.
+/// Narrow phase  algorithms/collision/detect_contact.h, up to four points a pair of shapes.
+/// Cost          some 10 ns a robot with nobody near; 1 us two robots that stand side by side; the narrow phase
+///               besides.
 
 #include <functional>
-#include <optional>
 
 #include "murosimf/algorithms/collision/detect_contact.h"
 #include "murosimf/algorithms/neighbour_grid.h"
@@ -19,14 +20,16 @@ namespace murosimf {
 class RobotPairs {
  public:
   RobotPairs() = default;
-  /// @throws std::invalid_argument naming both surfaces when the world's table lacks a pair that may touch
-  RobotPairs(const World& world, const std::vector<ContactRobot>& robots, const std::vector<FixedObstacle>& fixed);
+  /// Agrees in the table on all that robots may touch here; the table must live longer.
+  /// @throws std::invalid_argument naming both surfaces when nothing says how they touch
+  RobotPairs(ContactTable& table, const std::vector<ContactRobot>& robots, const std::vector<FixedObstacle>& fixed);
 
   /// Told of every partner that was added to the frame: its object and the robot's number, -1 for what is fixed.
   using NamePartner = std::function<void(ObjectId object, int robot)>;
   /// Adds pairs and partners of what overlaps at the frame's start. Robots have begun the frame.
-  void find(std::vector<ContactRobot>& robots, const std::vector<FixedObstacle>& fixed, FrameContacts& frame,
-            const NamePartner& name_partner);
+  /// @param kept contacts of the last frame
+  void find(std::vector<ContactRobot>& robots, const std::vector<FixedObstacle>& fixed,
+            std::span<const KeptContact> kept, FrameContacts& frame, const NamePartner& name_partner);
   /// For which there is room without allocation.
   std::size_t mostContacts() const { return most_contacts_; }
 
@@ -42,26 +45,24 @@ class RobotPairs {
   struct Side {
     int robot = -1;  ///< -1: something fixed
     const Obstacle* shape = nullptr;
-    int surface = 0;
     ObjectId object;
     std::uint64_t name = 0;
     Pose X_WB;
   };
-  int surfaceNumber(const std::string& name);
-  void requirePairs(const World& world, const std::vector<int>& a, const std::vector<int>& b);
   void betweenRobots(int a, int b);
   void withFixed(int robot);
+  void withItself(int robot);
   ContactRobot& robotOf(int robot) { return (*robots_)[static_cast<std::size_t>(robot)]; }
   PlacedShapes& placedOf(int robot);
   Side sideOf(int robot, std::size_t shape) const;
-  void test(const Side& a, const Side& b);
-  void addPoint(const Side& a, const Side& b, const ContactManifold& manifold, int k);
+  void test(const Side& a, const Side& b, const ContactTerms& terms);
+  Vector3 lastNormal(const ContactKey& key) const;
+  void addPoint(const Side& a, const Side& b, const ContactTerms& terms, const ContactPoint& point,
+                const Vector3& normal, int points);
   int partnerOf(const Side& side);
 
-  std::vector<std::string> surfaces_;
-  std::vector<std::optional<SurfacePair>> pairs_;  // of surfaces_, a square
-  std::vector<std::vector<int>> robot_surfaces_;   // of each robot's shapes
-  std::vector<int> fixed_surfaces_;
+  const ContactTable* table_ = nullptr;
+  std::vector<char> touches_itself_;  // of each robot
   std::vector<PlacedShapes> placed_;  // as robots
   std::vector<PlaneDisc> discs_;
   NeighbourGrid grid_;
@@ -71,6 +72,7 @@ class RobotPairs {
   // Of the call of find().
   std::vector<ContactRobot>* robots_ = nullptr;
   const std::vector<FixedObstacle>* fixed_ = nullptr;
+  std::span<const KeptContact> kept_;
   FrameContacts* frame_ = nullptr;
   const NamePartner* name_partner_ = nullptr;
 };

@@ -42,6 +42,7 @@ DormandPrince::DormandPrince(const ParameterValues& values)
 }
 
 void DormandPrince::declare(Declaration& d) const {
+  manner_.declare(d);
   d.uses(kInitialPosition, 0.0, subset::kJoints);
   d.reads(kJointAcceleration, subset::kJoints);
   d.reads(kBodyAcceleration, subset::kBodies);
@@ -64,6 +65,7 @@ void DormandPrince::declare(Declaration& d) const {
 }
 
 void DormandPrince::link(Links& links) {
+  manner_.link(links);
   DormandPrinceArguments& a = arguments_;
   a.joints = links.count(subset::kJoints);
   a.q = links.column(kJointPosition, subset::kJoints), a.dq = links.column(kJointVelocity, subset::kJoints);
@@ -88,6 +90,7 @@ void DormandPrince::link(Links& links) {
 }
 
 void DormandPrince::initialise(const BlockMemory& block) const {
+  manner_.initialise(block);
   copyColumn(block, initial_, arguments_.q, arguments_.joints, width_);
   for (int lane = 0; lane < width_; ++lane) RobotLane(block, width_, lane).set(event_time_, -1.0);
 }

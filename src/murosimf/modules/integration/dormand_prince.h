@@ -17,10 +17,11 @@
 ///            games: docs/integrators.md.
 /// Exchange   with any other integrator.
 
+#include "murosimf/linking/fixed_value.h"
 #include "murosimf/linking/integrator.h"
 #include "murosimf/linking/robot_lane.h"
 #include "murosimf/modules/integration/dormand_prince_kernel.h"
-#include "murosimf/world/property.h"
+#include "murosimf/world/vocabulary.h"
 
 namespace murosimf {
 
@@ -37,6 +38,7 @@ class DormandPrince final : public Integrator {
   void declare(Declaration& declaration) const override;
   void link(Links& links) override;
   void initialise(const BlockMemory& block) const override;
+  void adopt(const BlockMemory& one) const override { manner_.adopt(one); }
   void step(const BlockMemory& block, const StepTime& time) const override;
 
  private:
@@ -51,6 +53,7 @@ class DormandPrince final : public Integrator {
 
   StepLimits limits_;
   DormandPrinceArguments arguments_;
+  FixedValue<StepManner> manner_{kStepManner, {0.5, 0.5}};
   ColumnRef initial_;
   RobotValues<Control> control_;
   RobotValues<double> step_, error_, substeps_, evaluations_, events_, event_time_, fault_;

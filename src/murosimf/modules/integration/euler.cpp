@@ -6,6 +6,7 @@
 namespace murosimf {
 
 void EulerIntegrator::declare(Declaration& d) const {
+  manner_.declare(d);
   d.uses(kInitialPosition, 0.0, subset::kJoints);
   d.reads(kJointAcceleration, subset::kJoints);
   d.reads(kBodyAcceleration, subset::kBodies);
@@ -17,6 +18,7 @@ void EulerIntegrator::declare(Declaration& d) const {
 }
 
 void EulerIntegrator::link(Links& links) {
+  manner_.link(links);
   arguments_ = {links.count(subset::kJoints),
                 links.column(kJointPosition, subset::kJoints),
                 links.column(kJointVelocity, subset::kJoints),
@@ -31,6 +33,7 @@ void EulerIntegrator::link(Links& links) {
 }
 
 void EulerIntegrator::initialise(const BlockMemory& block) const {
+  manner_.initialise(block);
   copyColumn(block, initial_, arguments_.q, arguments_.joints, width_);
 }
 

@@ -8,12 +8,14 @@
 ///                                 default of multibody dynamics.
 ///            semi_implicit_euler  a of forces as they are now; the default of simplified dynamics.
 /// Order      1.
-/// Adds       joint_position, joint_velocity, base_pose, base_velocity.
+/// Adds       joint_position, joint_velocity, base_pose, base_velocity; step_manner.
 /// Cost       one evaluation and about 10 operations a joint.
 /// Exchange   with any other integrator.
 
+#include "murosimf/linking/fixed_value.h"
 #include "murosimf/linking/integrator.h"
 #include "murosimf/modules/integration/euler_kernel.h"
+#include "murosimf/world/vocabulary.h"
 
 namespace murosimf {
 
@@ -22,6 +24,7 @@ class EulerIntegrator : public Integrator {
   void declare(Declaration& declaration) const override;
   void link(Links& links) override;
   void initialise(const BlockMemory& block) const override;
+  void adopt(const BlockMemory& one) const override { manner_.adopt(one); }
   void step(const BlockMemory& block, const StepTime& time) const override;
 
  protected:
@@ -30,6 +33,7 @@ class EulerIntegrator : public Integrator {
  private:
   bool looks_ahead_;
   EulerArguments arguments_;
+  FixedValue<StepManner> manner_{kStepManner, {1, 0}};
   ColumnRef initial_;
   int width_ = 1;
   KernelSet<EulerArguments>::Kernel advance_ = nullptr;

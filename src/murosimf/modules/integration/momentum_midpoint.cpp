@@ -6,6 +6,7 @@
 namespace murosimf {
 
 void MomentumMidpoint::declare(Declaration& d) const {
+  manner_.declare(d);
   d.uses(kInitialPosition, 0.0, subset::kJoints);
   d.reads(kJointRateDemand, subset::kJoints);
   d.reads(kCentroidalStep);
@@ -16,6 +17,7 @@ void MomentumMidpoint::declare(Declaration& d) const {
 }
 
 void MomentumMidpoint::link(Links& links) {
+  manner_.link(links);
   arguments_ = {links.count(subset::kJoints),
                 links.column(kJointPosition, subset::kJoints),
                 links.column(kJointVelocity, subset::kJoints),
@@ -29,6 +31,7 @@ void MomentumMidpoint::link(Links& links) {
 }
 
 void MomentumMidpoint::initialise(const BlockMemory& block) const {
+  manner_.initialise(block);
   copyColumn(block, initial_, arguments_.q, arguments_.joints, width_);
 }
 

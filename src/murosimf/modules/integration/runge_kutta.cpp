@@ -24,7 +24,8 @@ constexpr Variable<BaseChange<double>> kChange{"base_change", "SI", "since the b
 
 }  // namespace
 
-RungeKutta::RungeKutta(std::span<const RungeKuttaCoefficients> stages) {
+RungeKutta::RungeKutta(std::span<const RungeKuttaCoefficients> stages, const StepManner& manner)
+    : manner_(kStepManner, manner) {
   for (const RungeKuttaCoefficients& c : stages) {
     RungeKuttaStage& stage = stages_.emplace_back();
     stage.weight = c.weight, stage.next = c.next;
@@ -32,11 +33,12 @@ RungeKutta::RungeKutta(std::span<const RungeKuttaCoefficients> stages) {
   stages_.front().first = stages_.back().last = true;
 }
 
-ExplicitEuler::ExplicitEuler() : RungeKutta(kEuler) {}
-Midpoint::Midpoint() : RungeKutta(kMidpoint) {}
-RungeKutta4::RungeKutta4() : RungeKutta(kClassical) {}
+ExplicitEuler::ExplicitEuler() : RungeKutta(kEuler, {0, 0}) {}
+Midpoint::Midpoint() : RungeKutta(kMidpoint, {0.5, 0.5}) {}
+RungeKutta4::RungeKutta4() : RungeKutta(kClassical, {0.5, 0.5}) {}
 
 void RungeKutta::declare(Declaration& d) const {
+  manner_.declare(d);
   d.uses(kInitialPosition, 0.0, subset::kJoints);
   d.reads(kJointAcceleration, subset::kJoints);
   d.reads(kBodyAcceleration, subset::kBodies);
@@ -50,6 +52,7 @@ void RungeKutta::declare(Declaration& d) const {
 }
 
 void RungeKutta::link(Links& links) {
+  manner_.link(links);
   for (RungeKuttaStage& stage : stages_) {
     stage.joints = links.count(subset::kJoints);
     stage.q = links.column(kJointPosition, subset::kJoints), stage.dq = links.column(kJointVelocity, subset::kJoints);
@@ -69,6 +72,7 @@ void RungeKutta::link(Links& links) {
 }
 
 void RungeKutta::initialise(const BlockMemory& block) const {
+  manner_.initialise(block);
   copyColumn(block, initial_, stages_.front().q, stages_.front().joints, width_);
 }
 

@@ -12,14 +12,16 @@
 /// Forces     are asked for as they are now, without the look ahead of implicit steps: servos and grounds that are
 /// stiff
 ///            for the step make these methods diverge.
-/// Adds       joint_position, joint_velocity, base_pose, base_velocity.
+/// Adds       joint_position, joint_velocity, base_pose, base_velocity; step_manner.
 /// Cost       one evaluation a stage, and about 10 operations a joint.
 /// Exchange   with any other integrator.
 
 #include <span>
 
+#include "murosimf/linking/fixed_value.h"
 #include "murosimf/linking/integrator.h"
 #include "murosimf/modules/integration/runge_kutta_kernel.h"
+#include "murosimf/world/vocabulary.h"
 
 namespace murosimf {
 
@@ -33,13 +35,15 @@ class RungeKutta : public Integrator {
   void declare(Declaration& declaration) const override;
   void link(Links& links) override;
   void initialise(const BlockMemory& block) const override;
+  void adopt(const BlockMemory& one) const override { manner_.adopt(one); }
   void step(const BlockMemory& block, const StepTime& time) const override;
 
  protected:
-  explicit RungeKutta(std::span<const RungeKuttaCoefficients> stages);
+  RungeKutta(std::span<const RungeKuttaCoefficients> stages, const StepManner& manner);
 
  private:
   std::vector<RungeKuttaStage> stages_;
+  FixedValue<StepManner> manner_;
   ColumnRef initial_;
   int width_ = 1;
   KernelSet<RungeKuttaStage>::Kernel advance_ = nullptr;
