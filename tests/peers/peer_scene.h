@@ -2,10 +2,12 @@
 
 /// @file What every simulator of the comparison is given, and what it gives back: the same robot on the same ground.
 
+#include <compare>
 #include <vector>
 
 #include "murosimf/math/spatial.h"
 #include "murosimf/scene/robot_builder.h"
+#include "murosimf/world/surface_table.h"
 
 namespace murosimf::peers {
 
@@ -15,6 +17,21 @@ struct PeerScene {
   double step = 1e-3;     ///< [s]
   double friction = 0.7;  ///< Coulomb's, soles on the ground
   bool servos = true;     ///< false: joints are driven by torques alone
+};
+
+/// Robots of one kind in one world, with all shapes that collide: on the ground and on one another, not each on itself.
+struct PeerHeap {
+  const RobotBlueprint& robot;
+  const SurfaceTable& surfaces;  ///< of which the peers take friction alone
+  int robots = 1;
+  double step = 1e-3;  ///< [s]
+};
+
+/// A body of a scene.
+struct PeerBody {
+  int robot = -1;  ///< -1: the ground
+  int row = 0;     ///< of the flattened tree
+  friend auto operator<=>(const PeerBody&, const PeerBody&) = default;
 };
 
 /// Where a robot is and how it moves.
