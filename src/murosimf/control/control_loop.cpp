@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "murosimf/control/control_runner.h"
@@ -19,10 +20,12 @@ ControlLoop::ControlLoop(std::vector<ControlledRobot> robots, const SceneView& v
   int cameras = 0;
   for (ControlledRobot& robot : robots) {
     checkCameras(robot);
-    cameras += static_cast<int>(robot.cameras.size());
+    const auto on = std::count_if(robot.cameras.begin(), robot.cameras.end(), [](auto& c) { return c != nullptr; });
+    cameras += robot.program == nullptr ? 0 : static_cast<int>(on);
     robots_.push_back(std::make_unique<Runner>(robotCount(), count, capacity, std::move(robot)));
   }
-  // Each camera has at most one picture that waits for its program and one that is being rendered.
+  // A camera has at most one picture that waits for its program and one that is being rendered. Each has room for the
+  // whole world: a thousand robots without software could not be held if theirs had as well.
   snapshots_ = std::make_unique<SnapshotShelf>(view, 2 * cameras);
   const auto task = [this](int robot) { runTask(*robots_[static_cast<std::size_t>(robot)]); };
   pool_ = timing.paced ? makeThreadPerRobot(count, task) : makeSharedPool(timing.threads, task);
