@@ -58,9 +58,9 @@ int main(int count, char** words) {
   if (benchmark::ReportUnrecognizedArguments(count, words)) return 2;
   std::vector<Row> rows;
   bool complete = true;
-  for (const auto& parts :
-       {murosimf::bench::peerParts(), murosimf::bench::growthParts(), murosimf::bench::fullDynamicsParts(),
-        murosimf::bench::passParts(), murosimf::bench::kinematicParts(), murosimf::bench::collisionParts()}) {
+  for (const auto& parts : {murosimf::bench::peerParts(), murosimf::bench::growthParts(), murosimf::bench::fieldParts(),
+                            murosimf::bench::fullDynamicsParts(), murosimf::bench::passParts(),
+                            murosimf::bench::kinematicParts(), murosimf::bench::collisionParts()}) {
     complete = collect(parts, rows) && complete;
   }
   write(rows);

@@ -50,6 +50,7 @@ using Part = std::function<std::vector<Row>()>;
 /// The parts of the report, in its order. One function a file of bench/.
 std::vector<Part> peerParts();  ///< MuJoCo and ODE; where these are missing, a line that says so
 std::vector<Part> growthParts();
+std::vector<Part> fieldParts();
 std::vector<Part> fullDynamicsParts();
 std::vector<Part> passParts();
 std::vector<Part> kinematicParts();

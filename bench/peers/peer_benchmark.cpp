@@ -8,6 +8,7 @@
 #include <deque>
 #include <memory>
 
+#include "heap_benchmark.h"
 #include "paired_ratio.h"
 #include "peers/mujoco_robot.h"
 #include "peers/ode_robot.h"
@@ -117,7 +118,7 @@ std::vector<Part> peerParts() {
   return {[] { return againstMujoco(multibodyLevel(), 24, laneWidths()); },
           [] { return againstMujoco(multibodyLevel(), 1, {1}); },
           [] { return againstOde(multibodyLevel(), 24, laneWidths()); },
-          [] { return againstOde(simplifiedLevel(), 24, laneWidths()); }};
+          [] { return againstOde(simplifiedLevel(), 24, laneWidths()); }, heapAgainstMujoco};
 }
 
 }  // namespace murosimf::bench
