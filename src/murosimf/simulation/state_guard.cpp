@@ -23,6 +23,19 @@ StateGuard::StateGuard(const World& world, LinkedWorld& linked, const std::vecto
                        linked.handle(id, kJointPosition, subset::kJoints), linked.handle(id, kPlacementCount),
                        linked.handle(id, kPlacementsShown), kernelRows(*world.findShared(id, kTree))});
   }
+  keepHistories();
+}
+
+/// What a frame writes stands together: of a thousand robots in rings of their own, each would be on another page.
+void StateGuard::keepHistories() {
+  std::size_t stride = 0;
+  for (const Robot& robot : robots_) stride += robot.history.width();
+  histories_.resize(StepHistory::kSteps * stride);
+  float* next = histories_.data();
+  for (Robot& robot : robots_) {
+    robot.history.keepAt(next, stride);
+    next += robot.history.width();
+  }
 }
 
 void StateGuard::check(Phase phase, long frame) {

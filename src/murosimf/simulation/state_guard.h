@@ -56,6 +56,7 @@ class StateGuard {
     std::vector<double> memory{};  ///< all of its variables while it is held
     void archive(StateArchive& archive) { archive(frozen, X_WB, at, level, memory); }
   };
+  void keepHistories();
   void freeze(Robot& robot, double time);
   void stop(Robot& robot);
   void hold(Robot& robot);
@@ -63,6 +64,7 @@ class StateGuard {
   const World& world_;
   LinkedWorld& linked_;
   std::vector<Robot> robots_;
+  std::vector<float> histories_;  ///< of a step those of all robots, then those of the next one
   std::vector<Fault> faults_;
 };
 

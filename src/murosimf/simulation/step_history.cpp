@@ -10,6 +10,7 @@ namespace murosimf {
 namespace {
 
 constexpr std::size_t kPoseNumbers = 12, kTwistNumbers = 6, kJointNumbers = 3;
+constexpr std::size_t kTimeNumbers = sizeof(double) / sizeof(float);  // which stays double: behind all others
 
 template <class T>
 float* keep(const T& value, float* target) {
@@ -49,13 +50,10 @@ StepHistory::StepHistory(LinkedWorld& linked, ObjectId robot)
       dq_(linked.handle(robot, kJointVelocity, subset::kJoints)),
       command_(linked.handle(robot, kJointCommand, subset::kJoints)),
       joints_(static_cast<std::size_t>(q_.size())),
-      width_(kPoseNumbers + kTwistNumbers + kJointNumbers * joints_),
-      ring_(kSteps * width_),
-      times_(kSteps) {}
+      width_(kPoseNumbers + kTwistNumbers + kJointNumbers * joints_ + kTimeNumbers) {}
 
 bool StepHistory::record(double time) {
-  times_[static_cast<std::size_t>(count_ % kSteps)] = time;
-  float* const first = ring_.data() + slot(count_);
+  float* const first = slot(count_);
   ++count_;
   float* next = keep(base_.get(), first);
   next = keep(velocity_.valid() ? velocity_.get() : SpatialMotion<double>{}, next);
@@ -67,19 +65,20 @@ bool StepHistory::record(double time) {
   for (const float* number = first; number < next + 2 * joints_; ++number) good &= isNumber(*number);
   next += 2 * joints_;
   for (std::size_t j = 0; j < joints_; ++j) next[j] = static_cast<float>(command.get(static_cast<int>(j)).position);
+  std::memcpy(next + joints_, &time, sizeof(time));
   return good;
 }
 
 StepHistory::Step StepHistory::step(int number) const {
   const long kept = count_ - size() + number;
   Step step;
-  step.time = times_[static_cast<std::size_t>(kept % kSteps)];
-  const float* next = fetch(fetch(ring_.data() + slot(kept), step.X_WB), step.V_WB);
+  const float* next = fetch(fetch(slot(kept), step.X_WB), step.V_WB);
   step.X_WB.rotation = orthonormalized(step.X_WB.rotation);
   for (std::vector<double>* list : {&step.q, &step.dq, &step.command}) {
     list->assign(next, next + joints_);
     next += joints_;
   }
+  std::memcpy(&step.time, next, sizeof(step.time));
   return step;
 }
 

@@ -2,7 +2,8 @@
 
 /// @file A robot's last steps, kept for the day on which its state turns out to be no number.
 ///
-/// Single precision: 65 KB a robot of 21 joints. Cost: one pass over position, velocity and command of its joints.
+/// Single precision: 65 KB a robot of 21 joints, kept by the state guard. Cost: one pass over position, velocity and
+/// command of its joints.
 
 #include <string>
 #include <vector>
@@ -20,6 +21,10 @@ class StepHistory {
 
   StepHistory(LinkedWorld& linked, ObjectId robot);
 
+  /// Numbers of one step.
+  std::size_t width() const { return width_; }
+  /// Where steps are kept: the first one there, the next ones `stride` numbers apart, kSteps of them. Before record().
+  void keepAt(float* first, std::size_t stride) { first_ = first, stride_ = stride; }
   /// Whether a step of this phase ends with this frame.
   bool moved(Phase phase, long frame) const { return base_.phase() == phase && frame % base_.period() == 0; }
   /// Keeps the state of the moment. @return whether all of its numbers are numbers
@@ -40,7 +45,7 @@ class StepHistory {
   std::string fault(const World& world) const;
 
  private:
-  std::size_t slot(long step) const { return static_cast<std::size_t>(step % kSteps) * width_; }
+  float* slot(long step) const { return first_ + static_cast<std::size_t>(step % kSteps) * stride_; }
 
   ObjectId robot_;
   Handle<Pose> base_;
@@ -48,8 +53,8 @@ class StepHistory {
   Handle<double> q_, dq_;
   Handle<ServoCommand> command_;
   std::size_t joints_ = 0, width_ = 0;
-  std::vector<float> ring_;
-  std::vector<double> times_;
+  float* first_ = nullptr;  // of a ring
+  std::size_t stride_ = 0;
   long count_ = 0;
 };
 
