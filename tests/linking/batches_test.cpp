@@ -123,8 +123,8 @@ TEST(Batches, TheLanesBehindTheLastRobotHoldNumbers) {
   const Batch& batch = linked->batches()[0];
   ASSERT_EQ(batch.blockCount(), 2);
   for (const auto& pieces : {&batch.state, &batch.own}) {
-    for (const AlignedDoubles& piece : *pieces) {
-      for (std::size_t i = 0; i < piece.size(); ++i) EXPECT_TRUE(std::isfinite(piece.data()[i]));
+    for (std::size_t b = 0; b < pieces->size(); ++b) {
+      for (const double number : (*pieces)[b]) EXPECT_TRUE(std::isfinite(number));
     }
   }
 }

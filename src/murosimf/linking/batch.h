@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,8 @@
 
 namespace murosimf {
 
-/// Doubles at an address divisible by 64, the size of the widest register and of a cache line.
+/// Doubles at an address divisible by 64, the size of the widest register and of a cache line; many of them, in large
+/// pages where the system has any.
 class AlignedDoubles {
  public:
   AlignedDoubles() = default;
@@ -27,6 +29,20 @@ class AlignedDoubles {
   };
   std::unique_ptr<double, Free> data_;
   std::size_t size_ = 0;
+};
+
+/// A piece of memory for each block of a batch, one behind the other: a frame walks through all of them.
+class BlockPieces {
+ public:
+  BlockPieces() = default;
+  BlockPieces(std::size_t blocks, std::size_t numbers)
+      : blocks_(blocks), numbers_(numbers), stride_((numbers + 7) / 8 * 8), all_(blocks * stride_) {}
+  std::size_t size() const { return blocks_; }
+  std::span<double> operator[](std::size_t block) const { return {all_.data() + block * stride_, numbers_}; }
+
+ private:
+  std::size_t blocks_ = 0, numbers_ = 0, stride_ = 0;
+  AlignedDoubles all_;
 };
 
 /// One property of one subset, as laid out in the blocks of a batch.
@@ -58,9 +74,9 @@ struct Batch {
   std::vector<ColumnLayout> columns;
   std::size_t state_size = 0, step_size = 0, own_size = 0;  ///< numbers per lane
   std::size_t sum_size = 0;  ///< of them at the beginning of step memory: sums, cleared before each evaluation
-  std::vector<AlignedDoubles> state, own;  ///< one piece a block
-  AlignedDoubles shared;                   ///< constants equal for all members
-  AlignedDoubles shared_one;               ///< the same for one robot alone
+  BlockPieces state, own;
+  AlignedDoubles shared;      ///< constants equal for all members
+  AlignedDoubles shared_one;  ///< the same for one robot alone
 
   /// Blocks in which somebody is seated.
   int blockCount() const { return (seated + width - 1) / width; }

@@ -45,8 +45,7 @@ void LinkedWorld::runFrame(long frame) {
 
 double* LinkedWorld::element(const Place& place, const ColumnLayout& layout) const {
   const Batch& batch = batches_[static_cast<std::size_t>(place.batch)];
-  const AlignedDoubles& state = batch.state[static_cast<std::size_t>(place.block)];
-  return state.data() + layout.ref.offset * batch.width + place.lane;
+  return batch.state[static_cast<std::size_t>(place.block)].data() + layout.ref.offset * batch.width + place.lane;
 }
 
 }  // namespace murosimf

@@ -148,8 +148,8 @@ void append(Batch& batch, const DeclaredProperty& p, MemoryKind memory, std::siz
 void fillInitial(const Batch& batch) {
   for (const ColumnLayout& column : batch.columns) {
     if (column.ref.memory != MemoryKind::kState) continue;
-    for (const AlignedDoubles& piece : batch.state) {
-      double* at = piece.data() + column.ref.offset * batch.width;
+    for (std::size_t b = 0; b < batch.state.size(); ++b) {
+      double* at = batch.state[b].data() + column.ref.offset * batch.width;
       for (int i = 0; i < column.objects; ++i) {
         for (const double value : column.initial) at = std::fill_n(at, batch.width, value);
       }
@@ -186,7 +186,7 @@ void Linker::layOut(const std::vector<Assembly*>& members, Batch& batch) const {
   }
   const std::size_t width = static_cast<std::size_t>(batch.width);
   const std::size_t blocks = (members.size() + width - 1) / width;
-  for (std::size_t b = 0; b < blocks; ++b) batch.state.emplace_back(batch.state_size * width);
+  batch.state = BlockPieces(blocks, batch.state_size * width);
   fillInitial(batch);
   fillConstants(batch, constants);
 }
@@ -214,7 +214,7 @@ void Linker::fillConstants(Batch& batch, const std::vector<const DeclaredPropert
   }
   const std::size_t width = static_cast<std::size_t>(batch.width);
   batch.shared = AlignedDoubles(shared_size * width);
-  for (std::size_t b = 0; b < batch.state.size(); ++b) batch.own.emplace_back(batch.own_size * width);
+  batch.own = BlockPieces(batch.state.size(), batch.own_size * width);
   for (const DeclaredProperty* p : laid_out) {
     const ColumnLayout& column = *batch.column(p->name, p->subset);
     const bool own = column.ref.memory == MemoryKind::kOwnConstant;

@@ -20,7 +20,7 @@ struct Lane {
   }
 };
 
-Lane laneOf(const Batch& batch, const std::vector<AlignedDoubles>& pieces, int lane) {
+Lane laneOf(const Batch& batch, const BlockPieces& pieces, int lane) {
   return {pieces[static_cast<std::size_t>(lane / batch.width)].data(), batch.width, lane % batch.width};
 }
 
