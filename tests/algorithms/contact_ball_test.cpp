@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact_scene.h"
+#include "murosimf/algorithms/collision/hull_shape.h"
 #include "murosimf/algorithms/contact_law.h"
 
 namespace murosimf {
@@ -64,6 +65,34 @@ TEST(Bounce, SubstepsKeepRestitutionForStiffContacts) {
       scene.addGround(0, smoothSurface(stiffness, s_b));
       EXPECT_NEAR(impactOf(scene, ball.radius).speed, std::sqrt(s_b), 0.03 * std::sqrt(s_b)) << stiffness << " " << s_b;
     }
+}
+
+/// Speed with which a ball comes back that flies along -z at 1 m/s onto something that stands at the origin.
+double speedBackFrom(const Shape& shape, const Pose& X_WS, const ConvexHull* hull, double s_b) {
+  const BallType ball;
+  ContactScene scene;
+  scene.frame.gravity = {};
+  scene.addBall(ball, {0, 0, 0.3}, {0, 0, -1});
+  scene.addSolid(0, scene.addPartner(PartnerKind::kStatic, X_WS), shape, smoothSurface(1e5, s_b));
+  scene.frame.pairs.back().hull = hull;
+  scene.advance(0.4);
+  EXPECT_NEAR(scene.ball().velocity.x, 0, 1e-9);
+  EXPECT_NEAR(scene.ball().velocity.y, 0, 1e-9);
+  return scene.ball().velocity.z;
+}
+
+TEST(Bounce, OffACapsuleAndAHullReturnsTheRootOfTheRestitutionFactor) {
+  std::vector<Vector3> octahedron;
+  for (const double x : {-0.1, 0.1}) octahedron.insert(octahedron.end(), {{x, 0, 0}, {0, x, 0}, {0, 0, x}});
+  const HullShape hull = makeConvex(octahedron);
+  const Rotation3 face_up = rotationY(-std::atan2(std::sqrt(2.0), 1.0)) * rotationZ(-kPi / 4);
+  for (const double s_b : {0.25, 0.5, 1.0}) {
+    const double e = std::sqrt(s_b);
+    EXPECT_NEAR(speedBackFrom(makeCapsule(0.03, 0.2), {rotationX(kPi / 2), {}}, nullptr, s_b), e, 0.03 * e) << s_b;
+    EXPECT_NEAR(speedBackFrom(makeCapsule(0.03, 0.2), {}, nullptr, s_b), e, 0.03 * e) << "on its end " << s_b;
+    EXPECT_NEAR(speedBackFrom(hull.shape, {}, hull.hull.get(), s_b), e, 0.03 * e) << "on a corner " << s_b;
+    EXPECT_NEAR(speedBackFrom(hull.shape, {face_up, {}}, hull.hull.get(), s_b), e, 0.03 * e) << "on a face " << s_b;
+  }
 }
 
 TEST(Bounce, HuntCrossleyReturnsTheRootOfItsEquation) {

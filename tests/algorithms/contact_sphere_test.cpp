@@ -3,6 +3,7 @@
 // if its own normal reaches its distance and no other direction exceeds it.
 #include <gtest/gtest.h>
 
+#include "murosimf/algorithms/collision/hull_shape.h"
 #include "murosimf/algorithms/sphere_contact.h"
 #include "murosimf/math/random.h"
 
@@ -26,16 +27,18 @@ struct Dice {
     if (kind == 1) return makeCylinder(a, b);
     if (kind == 2) return makeSphere(a);
     if (kind == 3) return makeEllipsoid({a, a, c});
+    if (kind == 4) return makeCapsule(a, b);
     return makeEllipsoid({a, b, c});
   }
 };
-constexpr int kShapeKinds = 5;
+constexpr int kShapeKinds = 6;
 constexpr int kPoses = 10000;
 
 double support(const Shape& s, const Vector3& n) {
   const Vector3& a = s.half_size;
   if (s.kind == ShapeKind::kBox) return a.x * abs(n.x) + a.y * abs(n.y) + a.z * abs(n.z);
   if (s.kind == ShapeKind::kCylinder) return a.x * sqrt(n.x * n.x + n.y * n.y) + a.z * abs(n.z);
+  if (s.kind == ShapeKind::kCapsule) return a.x + a.z * abs(n.z);
   return norm(Vector3{a.x * n.x, a.y * n.y, a.z * n.z});
 }
 double distanceAlong(const Shape& s, const Vector3& n, const Vector3& p) { return dot(n, p) - support(s, n); }
@@ -194,6 +197,33 @@ TEST(SphereContact, EllipsoidKeepsItsDigitsCloseToItsLongAxes) {
     const NearestPoint near = nearestOnEllipsoid(p, radii), on = nearestOnEllipsoid({0, 0, 0.04}, radii);
     EXPECT_NEAR(norm(near.point + near.normal * near.distance - p), 0, 1e-12) << off;
     EXPECT_NEAR(near.distance, on.distance + off * near.normal.x, 3 * off * off + 1e-12) << off;
+  }
+}
+
+HullShape cubeHull(const Vector3& edges) {
+  std::vector<Vector3> corners;
+  for (int i = 0; i < 8; ++i)
+    corners.push_back({(i & 1) != 0 ? edges.x : 0, (i & 2) != 0 ? edges.y : 0, (i & 4) != 0 ? edges.z : 0});
+  return makeConvex(corners);
+}
+
+TEST(SphereContact, HullOfABoxesCornersIsTouchedAsTheBox) {
+  Dice dice;
+  for (int i = 0; i < kPoses; ++i) {
+    const Vector3 edges{dice.uniform(0.02, 0.2), dice.uniform(0.02, 0.2), dice.uniform(0.02, 0.2)};
+    const HullShape hull = cubeHull(edges);
+    const Pose X_WS = dice.pose();
+    const Vector3 p_WC = X_WS.translation + dice.inBox(0.2);
+    const SphereContact box = sphereAgainstShape(p_WC, 0.065, makeBox(edges), X_WS);
+    const SphereContact contact = sphereAgainstShape(p_WC, 0.065, hull.shape, X_WS, hull.hull.get());
+    if (box.depth < -0.1) {  // farther than anybody asks
+      ASSERT_LE(contact.depth, -0.1 + 1e-12) << i;
+      continue;
+    }
+    ASSERT_NEAR(contact.depth, box.depth, 1e-12) << i;
+    if (box.depth > 0.064) continue;  // inside, two faces may be equally near
+    ASSERT_NEAR(norm(contact.normal - box.normal), 0, 1e-9) << i;
+    ASSERT_NEAR(norm(contact.point - box.point), 0, 1e-12) << i;
   }
 }
 

@@ -3,15 +3,14 @@
 /// @file One rigid body over the ground, without joints: what contact laws are checked with.
 
 #include "modules/dynamic_world.h"
+#include "murosimf/algorithms/collision/hull_shape.h"
 #include "murosimf/robot/tree_builder.h"
 
 namespace murosimf::motion {
 
-inline RobotBlueprint bodyOf(const Shape& shape, const MassProperties& mass) {
+inline RobotBlueprint bodyOf(BodyShape carried, const MassProperties& mass) {
   TreeBuilder builder;
   Body body{"body", mass};
-  BodyShape carried;
-  carried.shape = shape;
   carried.surface = "plastic";
   body.shapes.push_back(carried);
   builder.base("base").body(body);
@@ -21,6 +20,17 @@ inline RobotBlueprint bodyOf(const Shape& shape, const MassProperties& mass) {
   RobotBlueprint print{std::move(model), {}};
   print.flat = flattenTree(print.model.tree);
   return print;
+}
+
+inline RobotBlueprint bodyOf(const Shape& shape, const MassProperties& mass) {
+  BodyShape carried;
+  carried.shape = shape;
+  return bodyOf(carried, mass);
+}
+inline RobotBlueprint bodyOf(const HullShape& hull, const MassProperties& mass) {
+  BodyShape carried;
+  carried.shape = hull.shape, carried.hull = hull.hull, carried.X_BS.translation = hull.p_LS;
+  return bodyOf(carried, mass);
 }
 
 /// Everything about the contact of "plastic" and the ground.

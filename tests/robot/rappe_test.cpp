@@ -33,6 +33,9 @@ Vector3 momentsOf(const Shape& shape) {
     }
     case ShapeKind::kEllipsoid:
       return Vector3{square.y + square.z, square.x + square.z, square.x + square.y} * 0.2;
+    case ShapeKind::kCapsule:
+    case ShapeKind::kConvex:
+      break;
   }
   return {};
 }

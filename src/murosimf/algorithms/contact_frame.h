@@ -73,16 +73,17 @@ struct ContactPair {
   bool found = false;  ///< `contact` has been found at the frame's start; otherwise A is a free body's sphere:
   Vector3 p_BC;        ///< its centre on A [m]
   double radius = 0;   ///< of the sphere; of other shapes how deep they may be pushed in: half their thickness [m]
-  double rolling_radius = 0;   ///< of the shape that rolls [m]; 0: `radius`
-  bool plane = false;          ///< B is the half-space below z = 0 of X_PS; otherwise `shape`
-  Shape shape;                 ///< B's shape; of another free body a sphere
-  Pose X_PS;                   ///< its place on B
-  double share = 1;            ///< of the surfaces' stiffness that this point carries: 1/n of n points
-  SphereContact contact;       ///< in where `found`; out: at the start of the last substep
-  Vector3 impulse;             ///< out: on A, sum over the frame [N s]
-  Vector3 moment_A, moment_B;  ///< out: on a partner, about its X_start.translation, sum over the frame [N m s]
-  bool touched = false;        ///< out: an impulse passed in this frame
-  bool fresh = false;          ///< out: no point of this key was kept from the last frame
+  double rolling_radius = 0;  ///< of the shape that rolls [m]; 0: `radius`
+  bool plane = false;  ///< B is the half-space below z = 0 of X_PS; otherwise `shape`
+  Shape shape;         ///< B's shape; of another free body a sphere
+  const ConvexHull* hull = nullptr;  ///< of a kConvex shape
+  Pose X_PS;                         ///< its place on B
+  double share = 1;                  ///< of the surfaces' stiffness that this point carries: 1/n of n points
+  SphereContact contact;             ///< in where `found`; out: at the start of the last substep
+  Vector3 impulse;                   ///< out: on A, sum over the frame [N s]
+  Vector3 moment_A, moment_B;        ///< out: on a partner, about its X_start.translation, sum over the frame [N m s]
+  bool touched = false;              ///< out: an impulse passed in this frame
+  bool fresh = false;                ///< out: no point of this key was kept from the last frame
 };
 
 /// How a robot's own step answers impulses: H^-1 of its motion algorithm (rigid, articulated with servos), as the

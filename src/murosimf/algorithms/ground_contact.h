@@ -67,17 +67,19 @@ struct PointResponse {
   S force{}, mass{};
 };
 
-/// One point. @param h as in ground_law.h. Adds nothing where the point will not be below the ground.
+/// One point. Adds nothing where the point will not be below the ground.
+/// @param k  its stiffness [N/m]
+/// @param h  as in ground_law.h
 template <class S>
-MUROSIMF_INLINE PointResponse<S> addGroundPoint(const GroundShape& shape, const GroundedBody<S>& body, const Vec3<S>& r,
-                                                S h, GroundReaction<S>& sum) {
+MUROSIMF_INLINE PointResponse<S> addGroundPoint(const SurfacePair& pair, const GroundedBody<S>& body, const Vec3<S>& r,
+                                                S k, S h, GroundReaction<S>& sum) {
   const S height = body.height + dot(body.up, r);
   const Vec3<S> velocity = body.velocity.v + cross(body.velocity.w, r);
   const S speed = dot(velocity, body.up), depth_ahead = -fma(h, speed, height);
   const auto touches = depth_ahead > S(0);
   if (!any(touches)) return {};
   const Vec3<S> sliding = velocity - body.up * speed;
-  const GroundForce<S> law = groundForce(shape.pair, shape.stiffness, touches, depth_ahead, speed, norm(sliding), h);
+  const GroundForce<S> law = groundForce(pair, k, touches, depth_ahead, speed, norm(sliding), h);
   const Vec3<S> turning = cross(body.velocity.w, velocity);  // of a_p, as is gravity
   const S along = dot(turning, body.up), d = law.normal_mass - law.tangential_mass;
   const S lift = fnma(d, along - S(kGravity), fma(law.tangential_mass, S(kGravity), law.normal));
@@ -109,12 +111,12 @@ MUROSIMF_INLINE void addTurningFriction(const SurfacePair& pair, const Vec3<S>& 
   sum.inertia.I.xx += inertia, sum.inertia.I.yy += inertia, sum.inertia.I.zz += inertia;
 }
 
-/// All points of one shape; visit(number, response) hears of each.
+/// All points of a box, an ellipsoid or a cylinder; visit(number, response) hears of each.
 template <class S, class Visit>
 MUROSIMF_INLINE void addGroundShape(const GroundShape& shape, const GroundedBody<S>& body, S h, GroundReaction<S>& sum,
                                     Visit&& visit) {
   forGroundPoints(shape, body.up, [&](const Vec3<S>& r, int number) MUROSIMF_INLINE_LAMBDA {
-    const PointResponse<S> response = addGroundPoint(shape, body, r, h, sum);
+    const PointResponse<S> response = addGroundPoint(shape.pair, body, r, S(shape.stiffness), h, sum);
     visit(number, response);
     if (shape.kind == GroundShape::Kind::kEllipsoid)
       addTurningFriction(shape.pair, body.velocity.w, max(response.force, S(0)), h, sum);

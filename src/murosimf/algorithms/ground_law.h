@@ -23,10 +23,11 @@ struct NormalForce {
   S by_speed;  ///< -df/du >= 0 [N s/m]
 };
 
+/// @param k      stiffness of the point [N/m]
 /// @param depth  x > 0
 template <class S>
-MUROSIMF_INLINE NormalForce<S> normalForce(const SurfacePair& pair, double stiffness, S depth, S speed) {
-  const S k(stiffness), one(1), zero(0), spring = k * depth;
+MUROSIMF_INLINE NormalForce<S> normalForce(const SurfacePair& pair, S k, S depth, S speed) {
+  const S one(1), zero(0), spring = k * depth;
   if (pair.normal_law == NormalLaw::kHuntCrossley) {
     const S d(pair.dissipation), factor = max(fnma(d, speed, one), zero);
     return {spring * factor, k * factor, select(factor > zero, spring * d, zero)};
@@ -57,10 +58,10 @@ struct GroundForce {
 /// @param touches  mask: where it is false, everything is zero
 /// @param h        length of a step that looks ahead, or 0 [s]
 template <class S, class Mask>
-MUROSIMF_INLINE GroundForce<S> groundForce(const SurfacePair& pair, double stiffness, Mask touches, S depth_ahead,
-                                           S speed, S tangential_speed, S h) {
+MUROSIMF_INLINE GroundForce<S> groundForce(const SurfacePair& pair, S k, Mask touches, S depth_ahead, S speed,
+                                           S tangential_speed, S h) {
   const S zero(0);
-  const NormalForce<S> law = normalForce(pair, stiffness, select(touches, depth_ahead, zero), speed);
+  const NormalForce<S> law = normalForce(pair, k, select(touches, depth_ahead, zero), speed);
   GroundForce<S> result;
   result.normal = law.force;
   result.damping = tangentialDamping(pair, law.force, tangential_speed);

@@ -4,30 +4,43 @@
 ///
 /// A box touches with its corners; an ellipsoid with its one deepest point; a cylinder with three points on the rim of
 /// each of its ends: the deepest one and those a third of a turn from it, so that it stands, tips and lies as it
-/// should. Heights over the ground z = 0 follow from the world's up direction u in the body's axes and the height of
-/// the body's origin alone: h(r) = h_0 + u . r.
+/// should; a capsule with the deepest point of each round end; a convex hull with its vertices (ground_hull.h). Heights
+/// over the ground z = 0 follow from the world's up direction u in the body's axes and the height of the body's origin
+/// alone: h(r) = h_0 + u . r.
 
 #include "murosimf/algorithms/surface_pair.h"
 #include "murosimf/algorithms/tree_rows.h"
 
 namespace murosimf {
 
+struct GroundPoint {
+  double p[3];  ///< [m]
+};
+struct CornerShares {
+  double of[4];  ///< corners of a sole
+};
+
 /// One shape on a row of the tree, in plain numbers.
 struct GroundShape {
-  enum class Kind { kBox, kEllipsoid, kCylinder };
+  enum class Kind { kBox, kEllipsoid, kCylinder, kCapsule, kConvex };
   Kind kind = Kind::kBox;
   int row = 0;
-  int sole = -1;                    ///< number of the sole that this box's lower face is, or -1
+  int sole = -1;                    ///< number of the sole that this box's lower face is, or a hull's part, or -1
   int touch_sensor = -1;            ///< number of the touch sensor that feels it, or -1
   KernelPose X_RS;                  ///< shape on the body
   double half_size[3] = {0, 0, 0};  ///< as in Shape [m]
-  double corners[8][3] = {};        ///< of a box, on the body, those of its lower face first: x, then y alternate [m]
-  double reach = 0;                 ///< radius of a sphere about the shape's centre that holds it [m]
-  double stiffness = 0;             ///< of one point: s_c over the points on which the shape rests [N/m]
-  SurfacePair pair;                 ///< with the ground
+  double corners[8][3] = {};        ///< of a box, on the body, those of its lower face first: x, then y alternate [m];
+                                    ///< the first two of a capsule: its ends' centres
+  const GroundPoint* vertices = nullptr;  ///< of a hull, on the body; not owned
+  const CornerShares* shares = nullptr;   ///< of the force on each vertex, for `sole`; not owned
+  int vertex_count = 0;
+  int least_corners = 0;  ///< of any face of a hull
+  double reach = 0;       ///< radius of a sphere about the shape's centre that holds it [m]
+  double stiffness = 0;   ///< of one point: s_c over the points on which the shape rests; of a hull s_c [N/m]
+  SurfacePair pair;       ///< with the ground
 
   /// Points on which a shape rests, by which the pair's stiffness is shared.
-  static constexpr int kBoxPoints = 4, kCylinderPoints = 3, kEllipsoidPoints = 1;
+  static constexpr int kBoxPoints = 4, kCylinderPoints = 3, kEllipsoidPoints = 1, kCapsulePoints = 2, kConvexPoints = 1;
 };
 
 inline namespace MUROSIMF_ISA {
@@ -65,7 +78,7 @@ MUROSIMF_INLINE void forRims(const GroundShape& shape, const Vec3<S>& up, Visit&
     visit(Vec3<S>{fma(S(kSineOfThird), y, back_x), fnma(S(kSineOfThird), x, back_y), z}, 3 * end + 2);
   }
 }
-/// All points of a shape in the body's axes, in which `up` is the world's z.
+/// All points of a box, an ellipsoid or a cylinder in the body's axes, in which `up` is the world's z.
 template <class S, class Visit>
 MUROSIMF_INLINE void forGroundPoints(const GroundShape& shape, const Vec3<S>& up, Visit&& visit) {
   if (shape.kind == GroundShape::Kind::kBox) return forCorners<S>(shape, visit);

@@ -52,7 +52,7 @@ SphereContact detectSphere(const ContactPair& pair, const Vector3& p_WC, const P
     return sphereAgainstSphere(p_WC, pair.radius, X_WB * pair.X_PS.translation, pair.shape.half_size.x);
   const Pose X_WS = X_WB * pair.X_PS;
   return pair.plane ? sphereAgainstPlane(p_WC, pair.radius, X_WS)
-                    : sphereAgainstShape(p_WC, pair.radius, pair.shape, X_WS);
+                    : sphereAgainstShape(p_WC, pair.radius, pair.shape, X_WS, pair.hull);
 }
 
 /// Detects a sphere's contact with everything at its place at time t of the frame. Points found at the frame's start

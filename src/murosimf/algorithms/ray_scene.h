@@ -37,7 +37,7 @@ struct PaintedGround {
 };
 
 struct Drawable {
-  Shape shape;
+  Shape shape;  ///< a box, an ellipsoid or a cylinder
   Pose X_WS;
   Colour colour;
   std::uint16_t label = 1;  ///< what the label picture shows; 0 is the ground, 65535 the sky

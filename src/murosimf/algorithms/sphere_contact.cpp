@@ -1,7 +1,13 @@
 #include "murosimf/algorithms/sphere_contact.h"
 
+#include <limits>
+
+#include "murosimf/algorithms/collision/hull_distance.h"
+
 namespace murosimf {
 namespace {
+
+constexpr double kFar = 0.1;  // [m] of gap beyond which nobody asks for a hull's nearest point
 
 double signOf(double x) { return x < 0 ? -1.0 : 1.0; }
 
@@ -88,6 +94,13 @@ NearestPoint nearestOnCylinder(const Vector3& p_S, double radius, double half_le
   return {{p_S.x, p_S.y, sign * half_length}, {0, 0, sign}, to_disc};
 }
 
+NearestPoint nearestOnCapsule(const Vector3& p_S, double radius, double half_length) {
+  const Vector3 on_axis{0, 0, clamp(p_S.z, -half_length, half_length)}, gap = p_S - on_axis;
+  const double size = norm(gap);
+  const Vector3 normal = size > 0 ? gap * (1 / size) : Vector3{1, 0, 0};
+  return {on_axis + normal * radius, normal, size - radius};
+}
+
 NearestPoint nearestOnEllipsoid(const Vector3& p_S, const Vector3& radii) {
   if (radii.x == radii.y && radii.y == radii.z) return nearestOnSphere(p_S, radii.x);
   int shortest = radii.y < radii.x ? 1 : 0;
@@ -110,16 +123,29 @@ NearestPoint nearestOnEllipsoid(const Vector3& p_S, const Vector3& radii) {
   return {point, normal, dot(p_S - point, normal)};
 }
 
-NearestPoint nearestOn(const Shape& shape, const Vector3& p_S) {
+namespace {
+
+/// @param reach  as of nearestOnHull()
+NearestPoint nearestWithin(double reach, const Shape& shape, const Vector3& p_S, const ConvexHull* hull) {
   switch (shape.kind) {
     case ShapeKind::kBox:
       return nearestOnBox(p_S, shape.half_size);
     case ShapeKind::kCylinder:
       return nearestOnCylinder(p_S, shape.half_size.x, shape.half_size.z);
+    case ShapeKind::kCapsule:
+      return nearestOnCapsule(p_S, shape.half_size.x, shape.half_size.z);
+    case ShapeKind::kConvex:
+      return nearestOnHull(p_S, *hull, reach);
     case ShapeKind::kEllipsoid:
       break;
   }
   return nearestOnEllipsoid(p_S, shape.half_size);
+}
+
+}  // namespace
+
+NearestPoint nearestOn(const Shape& shape, const Vector3& p_S, const ConvexHull* hull) {
+  return nearestWithin(std::numeric_limits<double>::infinity(), shape, p_S, hull);
 }
 
 SphereContact sphereAgainstPlane(const Vector3& p_WC, double radius, const Pose& X_WS) {
@@ -128,8 +154,9 @@ SphereContact sphereAgainstPlane(const Vector3& p_WC, double radius, const Pose&
   return {radius - height, p_WC - normal * (0.5 * (radius + height)), normal};
 }
 
-SphereContact sphereAgainstShape(const Vector3& p_WC, double radius, const Shape& shape, const Pose& X_WS) {
-  const NearestPoint nearest = nearestOn(shape, applyInverse(X_WS, p_WC));
+SphereContact sphereAgainstShape(const Vector3& p_WC, double radius, const Shape& shape, const Pose& X_WS,
+                                 const ConvexHull* hull) {
+  const NearestPoint nearest = nearestWithin(radius + kFar, shape, applyInverse(X_WS, p_WC), hull);
   const Vector3 normal = X_WS.rotation * nearest.normal;
   return {radius - nearest.distance, p_WC - normal * (0.5 * (radius + nearest.distance)), normal};
 }

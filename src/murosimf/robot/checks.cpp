@@ -19,6 +19,8 @@ std::string shapeProblem(const BodyShape& shape) {
     return fmt::format("shape has the half sizes {:g}, {:g}, {:g} m, expected all to be positive", half.x, half.y,
                        half.z);
   }
+  if ((shape.shape.kind == ShapeKind::kConvex) != (shape.hull != nullptr))
+    return "shape and hull do not belong together, expected a hull of convex shapes and of no others";
   for (const float c : {shape.colour.red, shape.colour.green, shape.colour.blue}) {
     if (!(c >= 0.0F && c <= 1.0F)) return fmt::format("colour component is {:g}, expected 0 to 1", c);
   }

@@ -12,7 +12,7 @@
 
 namespace murosimf {
 
-/// Edges, radii and lengths positive and finite; colour components in [0, 1].
+/// Edges, radii and lengths positive and finite; a hull where the shape is one; colour components in [0, 1].
 std::string shapeProblem(const BodyShape& shape);
 
 /// lower <= upper, largest values positive; infinite is allowed, NaN is not.

@@ -10,10 +10,12 @@
 /// or a turn about `axis` by the joint's position q).
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "murosimf/algorithms/collision/convex_hull.h"
 #include "murosimf/algorithms/shape.h"
 #include "murosimf/algorithms/tree_table.h"
 #include "murosimf/robot/mass_properties.h"
@@ -37,12 +39,13 @@ struct TreeElement {
 /// One shape of a body.
 struct BodyShape {
   Shape shape{};
-  Pose X_BS{};                      ///< place on the body
-  Colour colour{};                  ///< where it is drawn and `team_colour` is false
-  bool team_colour = false;         ///< drawn in the colour of the robot's team
-  bool drawn = true;                ///< seen by cameras and viewers
-  bool collides = true;             ///< takes part in contacts
-  std::string surface = "default";  ///< name by which a scenario sets the parameters of pairs of surfaces
+  Pose X_BS{};                               ///< place on the body
+  Colour colour{};                           ///< where it is drawn and `team_colour` is false
+  bool team_colour = false;                  ///< drawn in the colour of the robot's team
+  bool drawn = true;                         ///< seen by cameras and viewers
+  bool collides = true;                      ///< takes part in contacts
+  std::string surface = "default";           ///< name by which a scenario sets the parameters of pairs of surfaces
+  std::shared_ptr<const ConvexHull> hull{};  ///< of a kConvex shape, in S
   SourceLocation where{};
 };
 

@@ -4,12 +4,14 @@
 ///
 /// Frames: W the field (origin at its centre, z up), B the base body of a robot, S a sole (centre of its lower face).
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "murosimf/algorithms/camera_model.h"
 #include "murosimf/algorithms/centroidal_motion.h"
+#include "murosimf/algorithms/collision/convex_hull.h"
 #include "murosimf/algorithms/corner_forces.h"
 #include "murosimf/algorithms/ray_scene.h"
 #include "murosimf/algorithms/shape.h"
@@ -43,7 +45,8 @@ struct PlacedShape {
   Colour colour;
   std::string surface;  ///< surface type, for the table of surface pairs
   bool collides = true, drawn = true;
-  int touch_sensor = -1;  ///< that feels it, counted in the robot's; -1: none
+  int touch_sensor = -1;                             ///< that feels it, counted in the robot's; -1: none
+  std::shared_ptr<const ConvexHull> hull = nullptr;  ///< of a kConvex shape, in S; one for all robots of a file
   friend bool operator==(const PlacedShape&, const PlacedShape&) = default;
 };
 

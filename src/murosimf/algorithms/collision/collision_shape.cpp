@@ -26,12 +26,16 @@ CollisionShape collisionEllipsoid(const Vector3& radii) {
   return {round ? CollisionKind::kSphere : CollisionKind::kEllipsoid, radii, nullptr};
 }
 
-CollisionShape collisionShapeOf(const Shape& shape) {
+CollisionShape collisionShapeOf(const Shape& shape, const ConvexHull* hull) {
   switch (shape.kind) {
     case ShapeKind::kBox:
       return {CollisionKind::kBox, shape.half_size, nullptr};
     case ShapeKind::kCylinder:
       return {CollisionKind::kCylinder, shape.half_size, nullptr};
+    case ShapeKind::kCapsule:
+      return {CollisionKind::kCapsule, shape.half_size, nullptr};
+    case ShapeKind::kConvex:
+      return collisionConvex(*hull);
     case ShapeKind::kEllipsoid:
       break;
   }
@@ -56,6 +60,20 @@ double boundingRadius(const CollisionShape& shape) {
       break;
   }
   return max(a.x, max(a.y, a.z));
+}
+
+double halfThickness(const CollisionShape& shape) {
+  const Vector3& a = shape.half_size;
+  if (shape.kind == CollisionKind::kPlane) return std::numeric_limits<double>::infinity();
+  if (shape.kind == CollisionKind::kCapsule) return a.x;
+  if (shape.kind != CollisionKind::kConvex) return min(a.x, min(a.y, a.z));
+  double least = std::numeric_limits<double>::infinity();
+  for (const ConvexHull::Face& face : shape.hull->faces()) {
+    double width = 0;
+    for (const Vector3& p : shape.hull->vertices()) width = max(width, face.offset - dot(face.normal, p));
+    least = min(least, width);
+  }
+  return 0.5 * least;
 }
 
 Vector3 innerPoint(const CollisionShape& shape) {

@@ -41,10 +41,15 @@ inline CollisionShape collisionCylinder(double radius, double length) {
 CollisionShape collisionEllipsoid(const Vector3& radii);
 /// The hull must live as long as the shape is used.
 inline CollisionShape collisionConvex(const ConvexHull& hull) { return {CollisionKind::kConvex, {}, &hull}; }
-CollisionShape collisionShapeOf(const Shape& shape);
+/// @param hull  of a kConvex shape; must live as long as what is returned
+CollisionShape collisionShapeOf(const Shape& shape, const ConvexHull* hull = nullptr);
 
 /// Radius of the smallest sphere about S's origin that holds the shape [m]; infinite for a plane.
 double boundingRadius(const CollisionShape& shape);
+
+/// Half of the smallest extent [m]; infinite for a plane. Of a hull: across its faces, which is exact unless it is
+/// thinner between two edges. Cost there: faces times vertices.
+double halfThickness(const CollisionShape& shape);
 
 /// A point inside: S's origin, or a hull's centre.
 Vector3 innerPoint(const CollisionShape& shape);

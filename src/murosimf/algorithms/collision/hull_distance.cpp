@@ -38,18 +38,20 @@ NearestPoint nearestOnHull(const Vector3& p, const ConvexHull& hull, double reac
   }
   NearestPoint best{p - highest->normal * height, highest->normal, height};
   if (height <= 0 || height >= reach) return best;
-  double least = std::numeric_limits<double>::infinity();
+  // The face whose plane is farthest is often the nearest face; then all others are farther than its point.
+  best.point = nearestOnFace(p, height, hull, *highest);
+  double least = squaredNorm(p - best.point);
   for (const ConvexHull::Face& face : hull.faces()) {
     const double h = dot(face.normal, p) - face.offset;
-    if (h <= 0 || h * h >= least) continue;
-    const Vector3 q = nearestOnFace(p, h, hull, face), gap = p - q;
-    const double distance = squaredNorm(gap);
-    if (distance < least) least = distance, best = {q, gap, distance};
+    if (h <= 0 || h * h >= least || &face == highest) continue;
+    const Vector3 q = nearestOnFace(p, h, hull, face);
+    const double distance = squaredNorm(p - q);
+    if (distance < least) least = distance, best.point = q;
   }
   // On the surface the gap has no direction left.
   constexpr double kOnSurface = 1e-12;
   best.distance = sqrt(least);
-  best.normal = best.distance > kOnSurface ? best.normal * (1 / best.distance) : highest->normal;
+  if (best.distance > kOnSurface) best.normal = (p - best.point) * (1 / best.distance);
   return best;
 }
 

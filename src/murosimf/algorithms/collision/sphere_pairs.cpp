@@ -34,11 +34,7 @@ void sphereAgainstBox(const CollisionShape& a, const CollisionShape& b, const Po
 }
 
 void sphereAgainstCapsule(const CollisionShape& a, const CollisionShape& b, const Pose& X_AB, ContactManifold& out) {
-  const Vector3 p_B = centreOfA(X_AB);
-  const Vector3 on_axis{0, 0, clamp(p_B.z, -b.half_size.z, b.half_size.z)}, gap = p_B - on_axis;
-  const double distance = norm(gap);
-  const Vector3 normal = distance > 0 ? gap * (1 / distance) : Vector3{1, 0, 0};
-  finish({on_axis + normal * b.half_size.x, normal, distance - b.half_size.x}, a.half_size.x, X_AB, out);
+  finish(nearestOnCapsule(centreOfA(X_AB), b.half_size.x, b.half_size.z), a.half_size.x, X_AB, out);
 }
 
 void sphereAgainstCylinder(const CollisionShape& a, const CollisionShape& b, const Pose& X_AB, ContactManifold& out) {

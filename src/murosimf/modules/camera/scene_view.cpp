@@ -8,7 +8,19 @@ namespace murosimf {
 
 namespace {
 constexpr std::uint32_t kRowsPerOwner = 256;
+
+struct DrawnPart {
+  Shape shape;
+  Pose X_BS;
+};
+std::vector<DrawnPart> drawnParts(const Shape& shape, const Pose& X_BS) {
+  const Vector3& a = shape.half_size;
+  if (shape.kind == ShapeKind::kConvex) return {{{ShapeKind::kBox, a}, X_BS}};
+  if (shape.kind != ShapeKind::kCapsule) return {{shape, X_BS}};
+  const auto end = [&](double z) { return DrawnPart{makeSphere(a.x), {X_BS.rotation, X_BS * Vector3{0, 0, z}}}; };
+  return {{{ShapeKind::kCylinder, a}, X_BS}, end(a.z), end(-a.z)};
 }
+}  // namespace
 
 const OutsideAccess& SceneView::robotAccess() {
   static const OutsideAccess access([](Declaration& d) {
@@ -44,14 +56,16 @@ void SceneView::addShapes(const World& world, ObjectId object, const Pose& X_WB,
   for (const PlacedShape& s : *world.findShared(object, kShapes)) {
     if (!s.drawn) continue;
     source.row = s.row;
-    source.X_BS = s.X_BS;
-    sources_.push_back(source);
-    Drawable& drawable = initial_.drawables.emplace_back();
-    drawable.shape = s.shape;
-    drawable.X_WS = X_WB * s.X_BS;
-    drawable.colour = s.colour;
-    drawable.label = label;
-    drawable.owner = label * kRowsPerOwner + static_cast<std::uint32_t>(s.row);
+    for (const DrawnPart& part : drawnParts(s.shape, s.X_BS)) {
+      source.X_BS = part.X_BS;
+      sources_.push_back(source);
+      Drawable& drawable = initial_.drawables.emplace_back();
+      drawable.shape = part.shape;
+      drawable.X_WS = X_WB * part.X_BS;
+      drawable.colour = s.colour;
+      drawable.label = label;
+      drawable.owner = label * kRowsPerOwner + static_cast<std::uint32_t>(s.row);
+    }
   }
 }
 

@@ -3,7 +3,8 @@
 /// @file The world as cameras see it: a snapshot of everything drawn, at one moment.
 ///
 /// Built once from the shapes of robots, free bodies and fixed objects; afterwards only poses change. A snapshot is
-/// immutable while cameras look at it, so physics may go on.
+/// immutable while cameras look at it, so physics may go on. A capsule is drawn as a cylinder and two spheres, a convex
+/// hull as its bounding box.
 
 #include <vector>
 

@@ -29,7 +29,8 @@ BlockingPhase::BlockingPhase(const World& world, LinkedWorld& linked, std::vecto
     const Pose X_WB = *world.find(id, kFixedPose);
     for (const PlacedShape& s : *world.findShared(id, kShapes)) {
       const Pose X_WS = X_WB * s.X_BS;
-      if (!s.collides || s.shape.kind != ShapeKind::kCylinder || abs(X_WS.rotation.z.z) < 0.9) continue;
+      const bool round = s.shape.kind == ShapeKind::kCylinder || s.shape.kind == ShapeKind::kCapsule;
+      if (!s.collides || !round || abs(X_WS.rotation.z.z) < 0.9) continue;
       discs_.push_back(
           {hashName(world.path(id)), true, s.shape.half_size.x, X_WS.translation.x, X_WS.translation.y, 0, 0});
     }

@@ -4,8 +4,8 @@
 ///
 /// After each update of a robot's motion it supposes that the base goes on in the plane as it just walked, lets
 /// algorithms/blocking.h say which part of that way is free, and gives the difference as planar_shift, which the motion
-/// module adds in its next step. Robots need blocking_radius; static cylinders that stand upright block as well, and so
-/// do robots whose motion obeys contacts: nothing here moves them.
+/// module adds in its next step. Robots need blocking_radius; static cylinders and capsules that stand upright block as
+/// well, and so do robots whose motion obeys contacts: nothing here moves them.
 
 #include <vector>
 

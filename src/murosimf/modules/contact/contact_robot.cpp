@@ -15,8 +15,6 @@ namespace {
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-double halfThickness(const Shape& shape) { return min(shape.half_size.x, min(shape.half_size.y, shape.half_size.z)); }
-
 /// The pose in the middle of two: the mean of the rotations' columns, made orthogonal by a step of Newton's method for
 /// the polar factor [Higham 1986]. It is right to the fourth power of the angle between them.
 Pose halfway(const Pose& a, const Pose& b) {
@@ -48,9 +46,9 @@ std::vector<Obstacle> obstaclesOf(const World& world, ObjectId object, ContactTa
     const std::uint16_t own_number = number++;
     if (!s.collides) continue;
     const ObjectId body = index(s.row) < bodies.size() ? bodies[index(s.row)] : object;
-    obstacles.push_back({s.row, s.X_BS, s.shape, collisionShapeOf(s.shape), boundingRadius(s.shape),
-                         halfThickness(s.shape), own_number, s.touch_sensor,
-                         table.kindOf(world.path(body), s.surface)});
+    const CollisionShape collision = collisionShapeOf(s.shape, s.hull.get());
+    obstacles.push_back({s.row, s.X_BS, s.shape, collision, boundingRadius(collision), halfThickness(collision),
+                         own_number, s.touch_sensor, table.kindOf(world.path(body), s.surface)});
   }
   return obstacles;
 }

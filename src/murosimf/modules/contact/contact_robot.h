@@ -34,7 +34,7 @@ struct Obstacle {
   int touch_sensor = -1;     ///< of the robot; -1: none feels it
   int kind = 0;              ///< in the table of contacts
 };
-/// Those that collide.
+/// Those that collide. They refer to the world's hulls.
 std::vector<Obstacle> obstaclesOf(const World& world, ObjectId object, ContactTable& table);
 
 /// One shape of something that never moves.

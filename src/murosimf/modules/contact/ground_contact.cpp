@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "murosimf/linking/links.h"
-#include "murosimf/world/vocabulary.h"
 
 namespace murosimf {
 
@@ -13,10 +12,24 @@ namespace {
 
 constexpr double kSameFace = 1e-3;  // [m] between a sole's rectangle and the lower face of a box
 
-int restingPoints(ShapeKind kind) {
-  return kind == ShapeKind::kBox        ? GroundShape::kBoxPoints
-         : kind == ShapeKind::kCylinder ? GroundShape::kCylinderPoints
-                                        : GroundShape::kEllipsoidPoints;
+struct KindOnGround {
+  GroundShape::Kind kind;
+  int resting_points;
+};
+KindOnGround onGround(ShapeKind kind) {
+  switch (kind) {
+    case ShapeKind::kBox:
+      return {GroundShape::Kind::kBox, GroundShape::kBoxPoints};
+    case ShapeKind::kCylinder:
+      return {GroundShape::Kind::kCylinder, GroundShape::kCylinderPoints};
+    case ShapeKind::kCapsule:
+      return {GroundShape::Kind::kCapsule, GroundShape::kCapsulePoints};
+    case ShapeKind::kConvex:
+      return {GroundShape::Kind::kConvex, GroundShape::kConvexPoints};
+    case ShapeKind::kEllipsoid:
+      break;
+  }
+  return {GroundShape::Kind::kEllipsoid, GroundShape::kEllipsoidPoints};
 }
 
 /// The sole that is the lower face of this box; -1 when none is.
@@ -48,19 +61,18 @@ ContactTerms termsWithGround(const std::vector<ContactTerms>& terms, std::size_t
                                           surface, kGroundSurface));
 }
 
-GroundShape::Kind kindOf(ShapeKind kind) {
-  return kind == ShapeKind::kBox        ? GroundShape::Kind::kBox
-         : kind == ShapeKind::kCylinder ? GroundShape::Kind::kCylinder
-                                        : GroundShape::Kind::kEllipsoid;
-}
+void put(const Vector3& p, double (&numbers)[3]) { numbers[0] = p.x, numbers[1] = p.y, numbers[2] = p.z; }
 
 void placeCorners(const PlacedShape& s, GroundShape& shape) {
   const Vector3& half = s.shape.half_size;
+  if (s.shape.kind == ShapeKind::kCapsule) {
+    for (int end = 0; end < 2; ++end) put(s.X_BS * Vector3{0, 0, end == 0 ? -half.z : half.z}, shape.corners[end]);
+    return;
+  }
   for (int i = 0; i < 8; ++i) {
     const Vector3 corner_S{(i & 1) != 0 ? half.x : -half.x, (i & 2) != 0 ? half.y : -half.y,
                            (i & 4) != 0 ? half.z : -half.z};
-    const Vector3 corner = s.X_BS * corner_S;
-    shape.corners[i][0] = corner.x, shape.corners[i][1] = corner.y, shape.corners[i][2] = corner.z;
+    put(s.X_BS * corner_S, shape.corners[i]);
   }
 }
 
@@ -83,6 +95,19 @@ void GroundContact::declare(Declaration& d) const {
   d.adds(kContactInertia, subset::kBodies);
 }
 
+void GroundContact::addVertices(const PlacedShape& s, const std::vector<SolePlace>& soles, GroundShape& shape) {
+  const std::vector<Vector3>& vertices = s.hull->vertices();
+  std::vector<GroundPoint>& numbers = vertices_.emplace_back(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) put(s.X_BS * vertices[i], numbers[i].p);
+  shape.vertices = numbers.data();
+  shape.vertex_count = static_cast<int>(vertices.size());
+  shape.least_corners = shape.vertex_count;
+  for (const ConvexHull::Face& face : s.hull->faces()) shape.least_corners = min(shape.least_corners, face.count);
+  const SoleShares& shares = shares_.emplace_back(shareBySole(s, soles));
+  shape.sole = shares.sole;
+  shape.shares = shares.of_vertices.data();
+}
+
 void GroundContact::link(Links& links) {
   const SurfaceTable table = links.shared(kSurfaceTable, subset::kWorld);
   const std::vector<SolePlace> soles = links.shared(kSoles);
@@ -95,18 +120,19 @@ void GroundContact::link(Links& links) {
     if (!s.collides || !terms.check) continue;
     if (s.row < 0 || s.row >= rows) throw std::invalid_argument(fmt::format("a shape on row {} of {}", s.row, rows));
     GroundShape& shape = shapes_.emplace_back();
-    shape.kind = kindOf(s.shape.kind);
+    const KindOnGround kind = onGround(s.shape.kind);
+    shape.kind = kind.kind;
     shape.row = s.row;
     shape.sole = soleOf(s, soles);
     shape.touch_sensor = s.touch_sensor;
     shape.X_RS = kernelPose(s.X_BS);
-    const double half_size[] = {s.shape.half_size.x, s.shape.half_size.y, s.shape.half_size.z};
-    std::copy(half_size, half_size + 3, shape.half_size);
+    put(s.shape.half_size, shape.half_size);
     placeCorners(s, shape);
+    if (s.hull != nullptr) addVertices(s, soles, shape);
     shape.reach = boundingRadius(s.shape);
     shape.pair = terms.surface;
     if (laws_) shape.pair.normal_law = laws_->normal, shape.pair.friction_law = laws_->friction;
-    shape.stiffness = shape.pair.stiffness / restingPoints(s.shape.kind);
+    shape.stiffness = shape.pair.stiffness / kind.resting_points;
   }
   arguments_ = {shapes_.data(),
                 static_cast<int>(shapes_.size()),

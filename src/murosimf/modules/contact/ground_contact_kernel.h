@@ -3,7 +3,7 @@
 /// @file Kernel of ground_contact.h.
 
 #include "murosimf/algorithms/corner_forces.h"
-#include "murosimf/algorithms/ground_contact.h"
+#include "murosimf/algorithms/ground_hull.h"
 #include "murosimf/algorithms/touch_response.h"
 #include "murosimf/linking/kernel.h"
 
@@ -50,11 +50,21 @@ void groundContact(const GroundContactArguments& a, const BlockMemory& block, co
     const GroundedBody<S> body{twist[shape.row], up[shape.row], height[shape.row]};
     if (!mayTouch(shape, body, h)) continue;
     GroundReaction<S> sum;
-    addGroundShape(shape, body, h, sum, [&](int point, const PointResponse<S>& response) MUROSIMF_INLINE_LAMBDA {
-      if (shape.sole < 0 || point >= 4) return;
-      soles[shape.sole].force.of[point] += response.force;
-      soles[shape.sole].mass.of[point] += response.mass;
-    });
+    if (shape.kind >= GroundShape::Kind::kCapsule) [[unlikely]] {
+      addGroundBulge(shape, body, h, sum, [&](int vertex, const PointResponse<S>& response) MUROSIMF_INLINE_LAMBDA {
+        for (int corner = 0; shape.sole >= 0 && corner < 4; ++corner) {
+          const S share(shape.shares[vertex].of[corner]);
+          soles[shape.sole].force.of[corner] += response.force * share;
+          soles[shape.sole].mass.of[corner] += response.mass * share;
+        }
+      });
+    } else {
+      addGroundShape(shape, body, h, sum, [&](int point, const PointResponse<S>& response) MUROSIMF_INLINE_LAMBDA {
+        if (shape.sole < 0 || point >= 4) return;
+        soles[shape.sole].force.of[point] += response.force;
+        soles[shape.sole].mass.of[point] += response.mass;
+      });
+    }
     if (!any(sum.touched > S(0))) continue;
     force[shape.row] += sum.force;
     if (shape.touch_sensor >= 0) [[unlikely]]

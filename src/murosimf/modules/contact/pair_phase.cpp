@@ -228,6 +228,7 @@ void PairPhase::addPair(std::size_t body, const Obstacle& obstacle, std::uint64_
   pair.radius = moving_[body].radius;
   pair.b.partner = partner;
   pair.shape = obstacle.shape;
+  pair.hull = obstacle.collision.hull;
   pair.X_PS = obstacle.X_BS;
   pair.surface = table_->between(moving_[body].kind, obstacle.kind).surface;
 }

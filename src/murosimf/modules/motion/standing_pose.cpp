@@ -14,12 +14,21 @@ double lowestCorner(const Pose& X, const SolePlace& sole) {
 }
 
 /// Height of the lowest point of a shape.
-double lowestPoint(const Pose& X, const Shape& shape) {
+double lowestPoint(const Pose& X, const PlacedShape& s) {
   const Vector3 up = applyTransposed(X.rotation, Vector3{0, 0, 1});
-  const Vector3& a = shape.half_size;
-  if (shape.kind == ShapeKind::kBox) return X.translation.z - (abs(up.x) * a.x + abs(up.y) * a.y + abs(up.z) * a.z);
-  if (shape.kind == ShapeKind::kCylinder)
-    return X.translation.z - (sqrt(up.x * up.x + up.y * up.y) * a.x + abs(up.z) * a.z);
+  const Vector3& a = s.shape.half_size;
+  switch (s.shape.kind) {
+    case ShapeKind::kBox:
+      return X.translation.z - (abs(up.x) * a.x + abs(up.y) * a.y + abs(up.z) * a.z);
+    case ShapeKind::kCylinder:
+      return X.translation.z - (sqrt(up.x * up.x + up.y * up.y) * a.x + abs(up.z) * a.z);
+    case ShapeKind::kCapsule:
+      return X.translation.z - (a.x + abs(up.z) * a.z);
+    case ShapeKind::kConvex:
+      return X.translation.z + dot(up, s.hull->vertex(s.hull->farthestVertex(-up)));
+    case ShapeKind::kEllipsoid:
+      break;
+  }
   return X.translation.z - norm(Vector3{a.x * up.x, a.y * up.y, a.z * up.z});
 }
 
@@ -50,7 +59,7 @@ Pose StandingPose::flatOnSole() const {
 Pose StandingPose::onLowestShape() const {
   double lowest = 0;
   for (const PlacedShape& s : shapes_) {
-    if (s.collides) lowest = min(lowest, lowestPoint(X_BR_[static_cast<std::size_t>(s.row)] * s.X_BS, s.shape));
+    if (s.collides) lowest = min(lowest, lowestPoint(X_BR_[static_cast<std::size_t>(s.row)] * s.X_BS, s));
   }
   return {Rotation3{}, {0, 0, -lowest}};
 }
