@@ -77,7 +77,7 @@ const std::vector<BrokenFile> kBrokenFiles{
       {7, "link \"arm\" is not connected"},
       {10, "name \"my shoulder\" holds something else than letters, digits, _ and -"}}},
     {"attribute_twice", {{4, "or is given twice"}}},
-    {"mesh", {{6, "meshes are not supported yet; use box, sphere, cylinder"}, {10, "holds 2 shapes"}}},
+    {"mesh", {{6, "\"package://robot/meshes/trunk.stl\", which was not found"}, {10, "holds 2 shapes"}}},
     {"massless", {{2, "link \"world\" has no mass"}, {4, "joint \"rail\" moves no mass"}}},
     {"bad_mounts",
      {{3, "stall_torque is 0 N m, expected more than 0"},

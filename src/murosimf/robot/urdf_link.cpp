@@ -10,42 +10,6 @@ namespace {
 
 constexpr std::size_t kMostShapes = 1000;
 
-/// Reads the one shape of a geometry.
-Shape readShape(const XmlElement& shape) {
-  const std::string kind = shape.name();
-  if (kind == "box") {
-    shape.accept({"size"});
-    return makeBox(shape.vector("size"));
-  }
-  if (kind == "sphere") {
-    shape.accept({"radius"});
-    return makeSphere(shape.number("radius"));
-  }
-  if (kind == "cylinder") {
-    shape.accept({"radius", "length"});
-    return makeCylinder(shape.number("radius"), shape.number("length"));
-  }
-  shape.accept({"radii"});
-  return makeEllipsoid(shape.vector("radii"));
-}
-
-std::optional<Shape> readGeometry(const XmlElement& geometry) {
-  if (const std::optional<XmlElement> mesh = geometry.child("mesh")) {
-    mesh->error("meshes are not supported yet; use box, sphere, cylinder");
-    return std::nullopt;
-  }
-  geometry.accept({}, {"box", "sphere", "cylinder", "ellipsoid", "mesh"});
-  std::vector<XmlElement> shapes;
-  for (const char* kind : {"box", "sphere", "cylinder", "ellipsoid"}) {
-    for (const XmlElement& shape : geometry.children(kind)) shapes.push_back(shape);
-  }
-  if (shapes.size() != 1) {
-    geometry.error(fmt::format("holds {} shapes, expected one of box, sphere, cylinder, ellipsoid", shapes.size()));
-    return std::nullopt;
-  }
-  return readShape(shapes[0]);
-}
-
 Pose readOrigin(const XmlElement& owner) {
   const std::optional<XmlElement> origin = owner.child("origin");
   if (!origin) return {};
@@ -99,23 +63,27 @@ void readColour(const XmlElement& visual, const RobotPart& robot, BodyShape& sha
 }
 
 /// What <visual> and <collision> have in common.
-std::optional<BodyShape> readPlacedShape(const XmlElement& element) {
+std::optional<BodyShape> readPlacedShape(const XmlElement& element, RobotPart& robot) {
   BodyShape out;
   out.where = element.where();
   out.X_BS = readOrigin(element);
   const int before = element.diagnostics().errorCount();
   const std::optional<XmlElement> geometry = element.requiredChild("geometry");
-  const std::optional<Shape> shape = geometry ? readGeometry(*geometry) : std::nullopt;
-  if (!shape || element.diagnostics().errorCount() != before) return std::nullopt;
-  out.shape = *shape;
-  geometry->check(shapeProblem(out));
+  if (!geometry || element.diagnostics().errorCount() != before || !readGeometry(*geometry, robot, out))
+    return std::nullopt;
   return out;
 }
 
-void readVisuals(const XmlElement& link, const RobotPart& robot, Body& body) {
+void warnOfDrawnMesh(const XmlElement& visual, RobotPart& robot) {
+  if (!robot.draws_meshes) visual.warning("meshes are drawn as their bounding boxes");
+  robot.draws_meshes = true;
+}
+
+void readVisuals(const XmlElement& link, RobotPart& robot, Body& body) {
   for (const XmlElement& visual : link.children("visual")) {
     visual.accept({"name"}, {"origin", "geometry", "material", "murosimf"});
-    std::optional<BodyShape> shape = readPlacedShape(visual);
+    std::optional<BodyShape> shape = readPlacedShape(visual, robot);
+    if (shape && shape->hull) warnOfDrawnMesh(visual, robot);
     BodyShape unknown;  // so that the colour's mistakes are found even where the shape is wrong
     BodyShape& target = shape ? *shape : unknown;
     readColour(visual, robot, target);
@@ -125,10 +93,10 @@ void readVisuals(const XmlElement& link, const RobotPart& robot, Body& body) {
 }
 
 /// A collision shape that equals a drawn one in form and place is the same shape, drawn and touching.
-void readCollisions(const XmlElement& link, const std::string& surface_of_link, Body& body) {
+void readCollisions(const XmlElement& link, const std::string& surface_of_link, RobotPart& robot, Body& body) {
   for (const XmlElement& collision : link.children("collision")) {
     collision.accept({"name"}, {"origin", "geometry", "murosimf"});
-    std::optional<BodyShape> shape = readPlacedShape(collision);
+    std::optional<BodyShape> shape = readPlacedShape(collision, robot);
     std::string surface = surface_of_link;
     if (const std::optional<XmlElement> extension = collision.child("murosimf")) {
       extension->accept({"surface"});
@@ -136,8 +104,7 @@ void readCollisions(const XmlElement& link, const std::string& surface_of_link, 
     }
     if (!shape) continue;
     const auto same = std::find_if(body.shapes.begin(), body.shapes.end(), [&](const BodyShape& drawn) {
-      return !drawn.collides && drawn.shape.kind == shape->shape.kind &&
-             drawn.shape.half_size == shape->shape.half_size && drawn.X_BS == shape->X_BS;
+      return !drawn.collides && drawn.shape == shape->shape && drawn.hull == shape->hull && drawn.X_BS == shape->X_BS;
     });
     shape->drawn = false;
     BodyShape& kept = same != body.shapes.end() ? *same : body.shapes.emplace_back(*shape);
@@ -188,7 +155,7 @@ void readLink(const XmlElement& element, RobotPart& robot) {
     element.error(fmt::format("has {} visuals and collisions, expected at most {}", shapes, kMostShapes));
   } else {
     readVisuals(element, robot, link.body);
-    readCollisions(element, surface, link.body);
+    readCollisions(element, surface, robot, link.body);
   }
   const bool has_collision = !element.children("collision").empty();
   if (collides && !has_collision && !link.body.shapes.empty()) {

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "murosimf/algorithms/collision/hull_shape.h"
 #include "murosimf/robot/robot_model.h"
 #include "murosimf/robot/xml_element.h"
 
@@ -55,6 +56,8 @@ struct RobotPart {
   int ignore_within = 1;            ///< joints between bodies that never touch
   std::map<std::string, Colour> materials{};
   std::map<std::string, ServoParameters> servo_types{};
+  std::map<std::string, HullShape> hulls{};  ///< of meshes, by file and scale
+  bool draws_meshes = false;                 ///< some <visual> has a mesh
   std::vector<LinkPart> links{};
   std::vector<JointPart> joints{};
   std::vector<std::pair<Reference, Reference>> ignored_pairs{};
@@ -79,6 +82,9 @@ std::string nearestKey(const Diagnostics& diagnostics, const std::string& word,
   return nearestName(diagnostics, word, std::move(keys));
 }
 
+/// The one shape of a <geometry>: overwrites out.shape and out.hull, and moves out.X_BS, given as the origin's place,
+/// to the shape's. @return whether there is one; where not, an error was reported
+bool readGeometry(const XmlElement& geometry, RobotPart& robot, BodyShape& out);
 /// <material> definitions with a colour, at the top and within visuals.
 void readMaterials(const XmlElement& robot_element, RobotPart& robot);
 /// <murosimf> of the robot: servo types, surface, ignored contacts, properties.
