@@ -227,5 +227,26 @@ TEST(SphereContact, HullOfABoxesCornersIsTouchedAsTheBox) {
   }
 }
 
+TEST(SphereContact, NearestPointOfAHullIsOneBeyondWhoseNormalNoVertexLies) {
+  Dice dice;
+  for (int i = 0; i < 300; ++i) {
+    const Vector3 size{dice.uniform(0.01, 0.3), dice.uniform(0.01, 0.3), dice.uniform(0.01, 0.3)};
+    std::vector<Vector3> points;
+    for (int k = 0; k < 6 + i; ++k) {
+      const Vector3 d = dice.direction();
+      points.push_back({d.x * size.x, d.y * size.y, d.z * size.z});
+    }
+    const HullShape hull = makeConvex(points);
+    for (int k = 0; k < 30; ++k) {
+      const Vector3 p = dice.inBox(0.5);
+      const NearestPoint nearest = nearestOn(hull.shape, p, hull.hull.get());
+      ASSERT_NEAR(norm(nearest.normal), 1, 1e-9);
+      ASSERT_NEAR(norm(nearest.point + nearest.normal * nearest.distance - p), 0, 1e-9);
+      const Vector3& farthest = hull.hull->vertex(hull.hull->farthestVertex(nearest.normal));
+      ASSERT_NEAR(dot(nearest.normal, p - farthest), nearest.distance, 1e-7) << i << " " << k;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace murosimf

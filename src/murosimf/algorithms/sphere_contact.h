@@ -11,8 +11,7 @@
 ///
 /// Ellipsoid: the root of sum (a_k y_k / (t + a_k^2))^2 = 1, found by Newton's method from the left, which a convex
 /// falling function turns into a monotone sequence [Eberly, Distance from a Point to an Ellipsoid, 2013]; 1e-12 of
-/// size. Convex hull: collision/hull_distance.h; it alone costs more than some 20 ns, 0.1 us at a flat face of 30
-/// vertices.
+/// size. Convex hull: collision/hull_distance.h.
 
 #include "murosimf/algorithms/shape.h"
 

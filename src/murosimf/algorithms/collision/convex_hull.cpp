@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "murosimf/algorithms/collision/growing_hull.h"
 
@@ -196,16 +197,18 @@ void ConvexHull::keepUsedVertices(std::span<const Vector3> points) {
 }
 
 void ConvexHull::linkNeighbours() {
-  std::vector<std::vector<int>> next(vertices_.size());
-  for (const Face& face : faces_) {
-    const auto loop = corners(face);
-    for (std::size_t i = 0; i < loop.size(); ++i) next[at(loop[i])].push_back(loop[(i + 1) % loop.size()]);
+  std::vector<std::vector<std::pair<int, int>>> next(
+      vertices_.size());  // the neighbour, the face left of the way there
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    const auto loop = corners(faces_[f]);
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      next[at(loop[i])].emplace_back(loop[(i + 1) % loop.size()], static_cast<int>(f));
   }
   for (const auto& list : next) {
-    first_neighbour_.push_back(static_cast<int>(neighbours_.size()));
-    neighbours_.insert(neighbours_.end(), list.begin(), list.end());
+    first_of_vertex_.push_back(static_cast<int>(neighbours_.size()));
+    for (const auto& [neighbour, face] : list) neighbours_.push_back(neighbour), faces_around_.push_back(face);
   }
-  first_neighbour_.push_back(static_cast<int>(neighbours_.size()));
+  first_of_vertex_.push_back(static_cast<int>(neighbours_.size()));
 }
 
 int ConvexHull::farthestVertex(const Vector3& d) const {

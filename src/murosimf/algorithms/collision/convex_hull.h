@@ -33,11 +33,9 @@ class ConvexHull {
     return std::span(corners_).subspan(static_cast<std::size_t>(face.first), static_cast<std::size_t>(face.count));
   }
   /// Numbers of the vertices that share an edge with a vertex.
-  std::span<const int> neighbours(int vertex) const {
-    const auto begin = static_cast<std::size_t>(first_neighbour_[static_cast<std::size_t>(vertex)]);
-    const auto end = static_cast<std::size_t>(first_neighbour_[static_cast<std::size_t>(vertex) + 1]);
-    return std::span(neighbours_).subspan(begin, end - begin);
-  }
+  std::span<const int> neighbours(int vertex) const { return ofVertex(neighbours_, vertex); }
+  /// Numbers of the faces of which a vertex is a corner.
+  std::span<const int> facesAround(int vertex) const { return ofVertex(faces_around_, vertex); }
   const Vector3& vertex(int number) const { return vertices_[static_cast<std::size_t>(number)]; }
   /// A point inside: the mean of the vertices.
   const Vector3& centre() const { return centre_; }
@@ -51,11 +49,16 @@ class ConvexHull {
  private:
   void keepUsedVertices(std::span<const Vector3> points);
   void linkNeighbours();
+  std::span<const int> ofVertex(const std::vector<int>& all, int vertex) const {
+    const auto begin = static_cast<std::size_t>(first_of_vertex_[static_cast<std::size_t>(vertex)]);
+    const auto end = static_cast<std::size_t>(first_of_vertex_[static_cast<std::size_t>(vertex) + 1]);
+    return std::span(all).subspan(begin, end - begin);
+  }
 
   std::vector<Vector3> vertices_;
   std::vector<Face> faces_;
   std::vector<int> corners_;
-  std::vector<int> neighbours_, first_neighbour_;
+  std::vector<int> neighbours_, faces_around_, first_of_vertex_;
   Vector3 centre_;
   double bounding_radius_ = 0;
 };

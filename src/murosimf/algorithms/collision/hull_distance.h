@@ -7,9 +7,10 @@
 
 namespace murosimf {
 
-/// Inside: the nearest face. Outside: the nearest point of all faces that the point can see, a face, an edge or a
-/// corner. Points farther than `reach` [m] from some face's plane are answered by that plane: farther than `reach` too.
-/// Cost O(faces + corners of the faces that are seen and may be nearer than the one farthest seen from above).
+/// Inside: the nearest face. Outside: the nearest point of a face, an edge or a corner, found from the face whose plane
+/// is farthest by going on to faces beside it that are nearer. Points farther than `reach` [m] from some face's plane
+/// are answered by that plane: farther than `reach` too. Cost: 1 ns a face, and some 20 faces with their corners; 0.1
+/// us at a flat face.
 NearestPoint nearestOnHull(const Vector3& p_S, const ConvexHull& hull, double reach);
 
 }  // namespace murosimf
