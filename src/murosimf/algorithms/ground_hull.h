@@ -2,16 +2,16 @@
 
 /// @file The ground under capsules and convex hulls (ground_contact.h tells of all others).
 ///
-/// Capsule    the deepest points of its two round ends, with half of the pair's stiffness each: lying it rests m g /
-/// s_c
-///            deep, on one end twice as deep, and one without length is a sphere. Turning friction at both.
+/// Capsule    the deepest points of its two round ends, with half of the pair's stiffness each: lying it rests
+///            m g / s_c deep, on one end twice as deep, and one without length is a sphere. Turning friction at both.
 /// Hull       its vertices. On how many of them it rests is not known before: 4 of a cube, 3 of a tetrahedron, 30 of a
 ///            sole with a round outline. So those that are below the ground share the stiffness s_c by their number,
 ///            counted by their depths x, and never fewer than the face with the fewest corners has, n_f:
 ///                k = s_c / max(n_f, sum x / max x)
 ///            A hull that lies on a face rests m g / s_c deep, whatever the number of its corners; a cube is the same
 ///            as a box, on its edges and corners too. The force is continuous as vertices come and go.
-/// Cost       hull: 10 operations a vertex, and as of any other point for each that touches in any lane.
+/// Cost       hull: 10 operations a vertex, and as of any other point for each that touches in any lane. A body that
+///            rests takes as long as one that is a box with 8 vertices, 2 times as long with 30, 8 times with 128.
 
 #include "murosimf/algorithms/ground_contact.h"
 
