@@ -73,11 +73,10 @@ MUROSIMF_INLINE void addGroundHull(const GroundShape& shape, const GroundedBody<
   }
 }
 
-/// A capsule or a hull; visit(number, response) hears of a hull's vertices. No part of the kernel's loop, which is laid
-/// out for boxes.
+/// A capsule or a hull; visit(number, response) hears of a hull's vertices.
 template <class S, class Visit>
-__attribute__((noinline)) void addGroundBulge(const GroundShape& shape, const GroundedBody<S>& body, S h,
-                                              GroundReaction<S>& sum, Visit&& visit) {
+MUROSIMF_INLINE void addGroundBulge(const GroundShape& shape, const GroundedBody<S>& body, S h, GroundReaction<S>& sum,
+                                    Visit&& visit) {
   if (shape.kind == GroundShape::Kind::kCapsule) return addGroundCapsule(shape, body, h, sum);
   addGroundHull(shape, body, h, sum, visit);
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "murosimf/linking/links.h"
@@ -134,8 +135,12 @@ void GroundContact::link(Links& links) {
     if (laws_) shape.pair.normal_law = laws_->normal, shape.pair.friction_law = laws_->friction;
     shape.stiffness = shape.pair.stiffness / kind.resting_points;
   }
+  const auto bulges = std::stable_partition(shapes_.begin(), shapes_.end(), [](const GroundShape& shape) {
+    return shape.kind != GroundShape::Kind::kCapsule && shape.kind != GroundShape::Kind::kConvex;
+  });
   arguments_ = {shapes_.data(),
-                static_cast<int>(shapes_.size()),
+                static_cast<int>(bulges - shapes_.begin()),
+                static_cast<int>(shapes_.end() - bulges),
                 links.column(kBodyTwist, subset::kBodies),
                 links.column(kBodyUp, subset::kBodies),
                 links.column(kBodyHeight, subset::kBodies),
