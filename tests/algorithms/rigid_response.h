@@ -16,14 +16,9 @@ class RigidResponse final : public Response {
   RigidResponse(const Vector3& p_WO, double mass, const Vector3& p_WCom, const Rotation3& inverse_inertia_W)
       : Response(p_WO), mass_(mass), p_OCom_W_(p_WCom - p_WO), inverse_inertia_(inverse_inertia_W) {}
 
-  void respond(std::span<const int> bodies, std::span<double> matrix) const override {
-    const std::size_t width = 6 * bodies.size();
-    for (std::size_t b = 0; b < 6; ++b) {
-      double numbers[6];
-      column(b, numbers);
-      for (std::size_t row = 0; row < width; ++row) {
-        for (std::size_t j = 0; j < bodies.size(); ++j) matrix[row * width + 6 * j + b] = numbers[row % 6];
-      }
+  void respond(std::span<const int> bodies, std::span<ResponseBlock> blocks) const override {
+    for (std::size_t k = 0; k < bodies.size() * bodies.size(); ++k) {
+      for (std::size_t b = 0; b < 6; ++b) column(b, blocks[k].row[b]);
     }
   }
 

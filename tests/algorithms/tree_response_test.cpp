@@ -48,9 +48,8 @@ TEST(TreeResponse, EqualsTheAccelerationsOfForwardDynamicsAtRest) {
     TreeResponse response(robot.constants);
     response.place(robot.X_WB, true);
     const std::vector<int> bodies{0, joints / 2, joints};
-    std::vector<double> matrix(36 * bodies.size() * bodies.size());
-    response.respond(bodies, matrix);
-    const std::size_t width = 6 * bodies.size();
+    std::vector<ResponseBlock> blocks(bodies.size() * bodies.size());
+    response.respond(bodies, blocks);
     for (std::size_t j = 0; j < bodies.size(); ++j) {
       for (std::size_t b = 0; b < 6; ++b) {
         Vector3 parts[2];
@@ -61,8 +60,9 @@ TEST(TreeResponse, EqualsTheAccelerationsOfForwardDynamicsAtRest) {
           const double numbers[] = {a.w.x, a.w.y, a.w.z, a.v.x, a.v.y, a.v.z};
           for (std::size_t k = 0; k < 6; ++k) {
             const double scale = 1 + std::abs(numbers[k]);
-            EXPECT_NEAR(matrix[(6 * i + k) * width + 6 * j + b], numbers[k], 1e-9 * scale) << joints;
-            EXPECT_NEAR(matrix[(6 * i + k) * width + 6 * j + b], matrix[(6 * j + b) * width + 6 * i + k], 1e-9 * scale);
+            const double found = blocks[bodies.size() * i + j].row[b][k];
+            EXPECT_NEAR(found, numbers[k], 1e-9 * scale) << joints;
+            EXPECT_NEAR(found, blocks[bodies.size() * j + i].row[k][b], 1e-9 * scale);
           }
         }
       }
@@ -85,10 +85,13 @@ TEST(TreeResponse, OfALoneBodyIsThatOfARigidOne) {
                           cross(x, y) * over_determinant};
   const RigidResponse rigid(robot.X_WB[0].translation, body.m, robot.X_WB[0] * com, inverse);
   const int bodies[] = {0};
-  std::vector<double> a(36), b(36);
+  std::vector<ResponseBlock> a(1), b(1);
   tree.respond(bodies, a);
   rigid.respond(bodies, b);
-  for (std::size_t i = 0; i < 36; ++i) EXPECT_NEAR(a[i], b[i], 1e-9 * (1 + std::abs(b[i])));
+  for (std::size_t r = 0; r < 6; ++r) {
+    for (std::size_t k = 0; k < 6; ++k)
+      EXPECT_NEAR(a[0].row[r][k], b[0].row[r][k], 1e-9 * (1 + std::abs(b[0].row[r][k])));
+  }
 }
 
 TEST(TreeResponse, OfJointsThatAreHeldIsThatOfTheWholeTreeAsOneBody) {
@@ -96,11 +99,11 @@ TEST(TreeResponse, OfJointsThatAreHeldIsThatOfTheWholeTreeAsOneBody) {
   TreeResponse response(robot.constants);
   response.place(robot.X_WB, false);
   const int bodies[] = {0, 5, 12};
-  std::vector<double> matrix(36 * 9);
-  response.respond(bodies, matrix);
-  for (std::size_t row = 0; row < 18; ++row) {
-    for (std::size_t column = 0; column < 18; ++column) {
-      EXPECT_EQ(matrix[row * 18 + column], matrix[(row % 6) * 18 + column % 6]);
+  std::vector<ResponseBlock> blocks(9);
+  response.respond(bodies, blocks);
+  for (const ResponseBlock& block : blocks) {
+    for (std::size_t r = 0; r < 6; ++r) {
+      for (std::size_t k = 0; k < 6; ++k) EXPECT_EQ(block.row[r][k], blocks[0].row[r][k]);
     }
   }
 }

@@ -23,6 +23,10 @@ std::string shapeText(const Shape& shape) {
       return fmt::format("type=\"box\" size=\"{}\"", text(half));
     case ShapeKind::kCylinder:
       return fmt::format("type=\"cylinder\" size=\"{} {}\"", half.x, half.z);
+    case ShapeKind::kCapsule:
+      return fmt::format("type=\"capsule\" size=\"{} {}\"", half.x, half.z);
+    case ShapeKind::kConvex:
+      throw std::runtime_error("a convex hull, expected primitives: the comparison writes no meshes");
     case ShapeKind::kEllipsoid:
       break;
   }

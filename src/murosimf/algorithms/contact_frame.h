@@ -73,9 +73,9 @@ struct ContactPair {
   bool found = false;  ///< `contact` has been found at the frame's start; otherwise A is a free body's sphere:
   Vector3 p_BC;        ///< its centre on A [m]
   double radius = 0;   ///< of the sphere; of other shapes how deep they may be pushed in: half their thickness [m]
-  double rolling_radius = 0;  ///< of the shape that rolls [m]; 0: `radius`
-  bool plane = false;  ///< B is the half-space below z = 0 of X_PS; otherwise `shape`
-  Shape shape;         ///< B's shape; of another free body a sphere
+  double rolling_radius = 0;         ///< of the shape that rolls [m]; 0: `radius`
+  bool plane = false;                ///< B is the half-space below z = 0 of X_PS; otherwise `shape`
+  Shape shape;                       ///< B's shape; of another free body a sphere
   const ConvexHull* hull = nullptr;  ///< of a kConvex shape
   Pose X_PS;                         ///< its place on B
   double share = 1;                  ///< of the surfaces' stiffness that this point carries: 1/n of n points
@@ -84,6 +84,12 @@ struct ContactPair {
   Vector3 moment_A, moment_B;        ///< out: on a partner, about its X_start.translation, sum over the frame [N m s]
   bool touched = false;              ///< out: an impulse passed in this frame
   bool fresh = false;                ///< out: no point of this key was kept from the last frame
+};
+
+/// How a body answers the impulses on a body of the same robot: row[b][a] is the change of component a of its motion
+/// (w; v) by a unit of component b of the impulse (moment; force). Rows are as wide as whole registers.
+struct ResponseBlock {
+  alignas(32) double row[6][8] = {};
 };
 
 /// How a robot's own step answers impulses: H^-1 of its motion algorithm (rigid, articulated with servos), as the
@@ -97,9 +103,9 @@ class Response {
   virtual ~Response() = default;
   const Vector3& reference() const { return p_WO_; }
   void setReference(const Vector3& p_WO) { p_WO_ = p_WO; }
-  /// For n bodies writes the 6n x 6n matrix M, row by row: change of component a of body i's motion per component b of
-  /// the impulse on body j stands at M[(6 i + a) 6 n + 6 j + b]. Symmetric, positive semidefinite.
-  virtual void respond(std::span<const int> bodies, std::span<double> matrix) const = 0;
+  /// For n bodies writes n x n blocks: how body i answers the impulses on body j stands at blocks[n i + j]. As one
+  /// matrix symmetric, positive semidefinite.
+  virtual void respond(std::span<const int> bodies, std::span<ResponseBlock> blocks) const = 0;
 
  private:
   Vector3 p_WO_;

@@ -55,16 +55,13 @@ Vector3 IslandSolver::relativeVelocity(const WorkContact& c) const {
 SpatialMotion<double> IslandSolver::recoilOf(const WorkPartner& moved, const WorkPartner& pushed,
                                              const SpatialForce<double>& impulse) const {
   const RecoilGroup& group = groups_[index(moved.group)];
-  const std::size_t width = 6 * index(group.count);
-  const double* row = &responses_[group.matrix + 6 * index(moved.row) * width + 6 * index(pushed.row)];
-  SpatialMotion<double> result;
-  for (int a = 0; a < 3; ++a, row += width) {
-    result.w[a] = dot(Vector3{row[0], row[1], row[2]}, impulse.n) + dot(Vector3{row[3], row[4], row[5]}, impulse.f);
+  const ResponseBlock& block = responses_[group.matrix + index(moved.row * group.count + pushed.row)];
+  const double parts[6] = {impulse.n.x, impulse.n.y, impulse.n.z, impulse.f.x, impulse.f.y, impulse.f.z};
+  alignas(32) double sum[8] = {};
+  for (std::size_t b = 0; b < 6; ++b) {
+    for (std::size_t a = 0; a < 8; ++a) sum[a] += block.row[b][a] * parts[b];
   }
-  for (int a = 0; a < 3; ++a, row += width) {
-    result.v[a] = dot(Vector3{row[0], row[1], row[2]}, impulse.n) + dot(Vector3{row[3], row[4], row[5]}, impulse.f);
-  }
-  return result;
+  return {{sum[0], sum[1], sum[2]}, {sum[3], sum[4], sum[5]}};
 }
 
 /// Velocity change of the side's point by an impulse there.
@@ -91,9 +88,8 @@ double IslandSolver::turningResponse(const ContactSide& side) const {
   const WorkPartner& partner = partners_[index(side.partner)];
   if (partner.group < 0) return 0;
   const RecoilGroup& group = groups_[index(partner.group)];
-  const std::size_t width = 6 * index(group.count);
-  const double* diagonal = &responses_[group.matrix + 6 * index(partner.row) * (width + 1)];
-  return diagonal[0] + diagonal[width + 1] + diagonal[2 * (width + 1)];
+  const ResponseBlock& block = responses_[group.matrix + index(partner.row * (group.count + 1))];
+  return block.row[0][0] + block.row[1][1] + block.row[2][2];
 }
 
 void IslandSolver::giveTo(const ContactSide& side, const WorkSide& work, const Vector3& impulse,

@@ -23,7 +23,7 @@ void IslandSolver::reserve(std::size_t bodies, std::size_t pairs) {
   members_.reserve(2 * pairs), asked_.reserve(2 * pairs), groups_.reserve(2 * pairs);
   contacts_.reserve(pairs);
   // Of one island at a time: 32 bodies of a robot take part, 512 altogether.
-  responses_.reserve(36 * std::min<std::size_t>(pairs, 32) * std::min<std::size_t>(pairs, 512));
+  responses_.reserve(std::min<std::size_t>(pairs, 32) * std::min<std::size_t>(pairs, 512));
 }
 
 void IslandSolver::advance(FrameContacts& frame, std::span<KeptContact> kept, double dt) {
@@ -163,7 +163,7 @@ void IslandSolver::askResponse(int responder) {
     }
   }
   groups_.push_back(group);
-  responses_.resize(responses_.size() + 36 * asked_.size() * asked_.size());
+  responses_.resize(responses_.size() + asked_.size() * asked_.size());
   response.respond(asked_, std::span(responses_).subspan(group.matrix));
 }
 

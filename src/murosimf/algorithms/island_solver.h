@@ -30,7 +30,7 @@ struct WorkPartner {
 struct RecoilGroup {
   int responder = 0;
   int first = 0, count = 0;  ///< its partners among members_
-  std::size_t matrix = 0;    ///< where it begins in responses_
+  std::size_t matrix = 0;    ///< where its blocks begin in responses_
   Vector3 p_WO;              ///< reference
 };
 
@@ -122,7 +122,7 @@ class IslandSolver {
   std::vector<int> parents_;         // union-find over bodies, then responders
   std::vector<RecoilGroup> groups_;  // of the island
   std::vector<int> members_, asked_;
-  std::vector<double> responses_;  // 6n x 6n of every group, one after another
+  std::vector<ResponseBlock> responses_;  // n x n of every group, one after another
 };
 
 }  // namespace murosimf

@@ -8,8 +8,8 @@
 /// An impulse f on body k goes inwards, p_k = -f:  u = -S^T p,  p_parent += p + U u / D; the base moves by
 /// -(I^A_0)^-1 p_0, and outwards  ddq = (u - U^T a_parent) / D,  a = a_parent + S ddq.
 /// Grounds do not hold it and servos are as soft as they can be: it promises no more mass than the robot shows.
-/// Cost: about 180 operations a joint, and for each body that is asked for six times 36 and 50 a joint on the ways to
-/// all of them, in registers of four.
+/// Cost: about 130 operations a body and 90 in registers of four a joint; for each body that is asked for 50 a joint on
+/// the ways to all of them, in registers too.
 
 #include <array>
 
@@ -30,28 +30,31 @@ class TreeResponse final : public Response {
   explicit TreeResponse(const Constants& constants);
   /// @param X_WB of all bodies; @param joints_yield false: joints are held, and the tree answers as one body
   void place(std::span<const Pose> X_WB, bool joints_yield);
-  void respond(std::span<const int> bodies, std::span<double> matrix) const override;
+  void respond(std::span<const int> bodies, std::span<ResponseBlock> blocks) const override;
 
  private:
-  using Six = std::array<double, 6>;  // motion (w; v) or force (n; f)
-  using Matrix6 = std::array<Six, 6>;
-  struct Joint {
-    Six S{}, U{};
-    double over_D = 0;
-  };
-  /// Six impulses at once, a column each; as wide as whole registers.
-  struct Columns {
+  /// Six numbers, as wide as whole registers: motion (w; v), force (n; f), or one component under six impulses.
+  struct alignas(32) Columns {
     double of[8] = {};
   };
   using SixColumns = std::array<Columns, 6>;
+  struct Joint {
+    Columns S, U;
+    double over_D = 0;
+  };
+  static void addScaled(Columns& a, const Columns& b, double s) {
+    for (std::size_t k = 0; k < 8; ++k) a.of[k] += b.of[k] * s;
+  }
+  static SixColumns inertiaAbout(const RigidInertia<double>& body, const Rotation3& R, const Vector3& p);
+  static SixColumns inverseOf(const SixColumns& matrix);
   void gatherInward(bool joints_yield);
   void findWays(std::span<const int> bodies) const;
   void respondTo(int body) const;
 
   const Constants& constants_;
-  std::vector<Joint> joints_;         // of each row; the base's stays empty
-  std::vector<Matrix6> articulated_;  // I^A of each row
-  Matrix6 base_inverse_{};
+  std::vector<Joint> joints_;            // of each row; the base's stays empty
+  std::vector<SixColumns> articulated_;  // I^A of each row
+  SixColumns base_inverse_{};
   // Work of respond().
   mutable std::vector<int> ways_;           // rows from the base to the bodies that are asked for, without the base
   mutable std::vector<Columns> u_;          // per row

@@ -55,11 +55,41 @@ std::vector<Obstacle> obstaclesOf(const World& world, ObjectId object, ContactTa
 
 const std::vector<Obstacle> ContactRobot::kNoShapes;
 
-ContactRobot::ContactRobot(const World& world, LinkedWorld& linked, ObjectId robot, ContactTable& table)
+namespace {
+
+DetailedShapes detailedShapes(const World& world, ObjectId robot, ContactTable& table) {
+  DetailedShapes all;
+  const auto of = [&](ContactDetail detail) -> std::vector<Obstacle>& { return all[static_cast<std::size_t>(detail)]; };
+  of(ContactDetail::kPrimitives) = obstaclesOf(world, robot, table);
+  const std::vector<SolePlace>* soles = world.findShared(robot, kSoles);
+  for (const Obstacle& shape : of(ContactDetail::kPrimitives)) {
+    Obstacle& sphere = of(ContactDetail::kBoundingSpheres).emplace_back(shape);
+    sphere.shape = makeSphere(sphere.reach);
+    sphere.collision = collisionSphere(sphere.reach);
+    sphere.thickness = sphere.reach;
+    const bool of_a_foot = soles != nullptr && std::any_of(soles->begin(), soles->end(), [&](const SolePlace& sole) {
+                             return sole.mount.row == shape.row;
+                           });
+    if (of_a_foot) of(ContactDetail::kFeet).push_back(shape);
+  }
+  return all;
+}
+
+SharedShapes sharedAmong(std::vector<SharedShapes>& known, DetailedShapes&& shapes) {
+  const auto same = std::find_if(known.begin(), known.end(), [&](const SharedShapes& k) { return *k == shapes; });
+  if (same != known.end()) return *same;
+  return known.emplace_back(std::make_shared<const DetailedShapes>(std::move(shapes)));
+}
+
+}  // namespace
+
+ContactRobot::ContactRobot(const World& world, LinkedWorld& linked, ObjectId robot, ContactTable& table,
+                           std::vector<SharedShapes>& known)
     : object_(robot),
       name_(hashName(world.path(robot))),
       path_(linked, robot),
       mass_(*world.find(robot, kMass)),
+      shapes_of_(sharedAmong(known, detailedShapes(world, robot, table))),
       may_recoil_(anyLevelHas(linked, robot, kPairForce.name, subset::kBodies)),
       detail_(linked.handle(robot, kContactDetail)),
       push_(linked.handle(robot, kPushForce, subset::kTouchSensors)),
@@ -71,7 +101,7 @@ ContactRobot::ContactRobot(const World& world, LinkedWorld& linked, ObjectId rob
       dq_(linked.handle(robot, kJointVelocity, subset::kJoints)),
       manner_(linked.handle(robot, kStepManner)),
       resident_(&linked.residentOf(robot)) {
-  findShapes(world, table);
+  if (const auto* ignored = world.findShared(object_, kIgnoredPairs)) ignored_ = *ignored;
   findReach(world);
   int rows = 1;
   for (const Obstacle& shape : primitives()) rows = std::max(rows, shape.row + 1);
@@ -82,25 +112,6 @@ ContactRobot::ContactRobot(const World& world, LinkedWorld& linked, ObjectId rob
   seen_.resize(index(rows));
   rows_.reserve(index(rows)), pushed_.reserve(index(rows));
   if (may_recoil_) readMasses(world);
-}
-
-void ContactRobot::findShapes(const World& world, ContactTable& table) {
-  std::vector<Obstacle>& primitives = shapes_of_[index(static_cast<int>(ContactDetail::kPrimitives))];
-  primitives = obstaclesOf(world, object_, table);
-  for (Obstacle sphere : primitives) {
-    sphere.shape = makeSphere(sphere.reach);
-    sphere.collision = collisionSphere(sphere.reach);
-    sphere.thickness = sphere.reach;
-    shapes_of_[index(static_cast<int>(ContactDetail::kBoundingSpheres))].push_back(sphere);
-  }
-  const std::vector<SolePlace>* soles = world.findShared(object_, kSoles);
-  for (const Obstacle& shape : primitives) {
-    const bool of_a_foot = soles != nullptr && std::any_of(soles->begin(), soles->end(), [&](const SolePlace& sole) {
-                             return sole.mount.row == shape.row;
-                           });
-    if (of_a_foot) shapes_of_[index(static_cast<int>(ContactDetail::kFeet))].push_back(shape);
-  }
-  if (const auto* ignored = world.findShared(object_, kIgnoredPairs)) ignored_ = *ignored;
 }
 
 void ContactRobot::findReach(const World& world) {
@@ -149,7 +160,7 @@ void ContactRobot::begin(long frame, double dt) {
   for (const int row : rows_) partner_of_row_[index(row)] = -1;
   rows_.clear();
   frame_ = frame, dt_ = dt;
-  shapes_ = detail_.valid() ? &shapes_of_[static_cast<std::size_t>(detail_.get())] : &kNoShapes;
+  shapes_ = detail_.valid() ? &(*shapes_of_)[static_cast<std::size_t>(detail_.get())] : &kNoShapes;
   begin_ = path_.contactShareAt(frame), end_ = path_.contactShareAfter(frame);
   // A motion that moves by the velocity at its step's end has gone half a step farther than that velocity counts.
   ahead_ = recoils() && manner_.valid() && manner_.get().end_velocity_share == 1;

@@ -33,7 +33,12 @@ struct Obstacle {
   std::uint16_t number = 0;  ///< among the shapes of its object, also those that do not collide
   int touch_sensor = -1;     ///< of the robot; -1: none feels it
   int kind = 0;              ///< in the table of contacts
+  friend bool operator==(const Obstacle&, const Obstacle&) = default;
 };
+/// A robot's, of each ContactDetail. Robots of one kind share them: a thousand of their own would not stay in the
+/// cache.
+using DetailedShapes = std::array<std::vector<Obstacle>, kContactDetails>;
+using SharedShapes = std::shared_ptr<const DetailedShapes>;
 /// Those that collide. They refer to the world's hulls.
 std::vector<Obstacle> obstaclesOf(const World& world, ObjectId object, ContactTable& table);
 
@@ -47,13 +52,15 @@ struct FixedObstacle {
 
 class ContactRobot {
  public:
-  ContactRobot(const World& world, LinkedWorld& linked, ObjectId robot, ContactTable& table);
+  /// @param known  shapes of the robots before it; its own are taken from there, or added
+  ContactRobot(const World& world, LinkedWorld& linked, ObjectId robot, ContactTable& table,
+               std::vector<SharedShapes>& known);
 
   ObjectId object() const { return object_; }
   std::uint64_t name() const { return name_; }
   /// Those with which it touches in this frame, and all that it has.
   const std::vector<Obstacle>& shapes() const { return *shapes_; }
-  const std::vector<Obstacle>& primitives() const { return shapes_of_.back(); }
+  const std::vector<Obstacle>& primitives() const { return shapes_of_->back(); }
   /// How far its shapes can get from its base, its chains stretched out, whatever its joints do [m].
   double reach() const { return reach_; }
   /// Whether it recoils at any of its levels of detail, and at the present one.
@@ -102,7 +109,6 @@ class ContactRobot {
   };
   SpatialMotion<double> motionOf(int row) const;
   void forgetWhatWasMoved();
-  void findShapes(const World& world, ContactTable& table);
   void findReach(const World& world);
   void readMasses(const World& world);
 
@@ -110,8 +116,8 @@ class ContactRobot {
   std::uint64_t name_;
   BodyPath path_;
   double mass_ = 0, reach_ = 0;
-  std::array<std::vector<Obstacle>, kContactDetails> shapes_of_;  // of each ContactDetail
-  const std::vector<Obstacle>* shapes_ = &kNoShapes;              // of the frame
+  SharedShapes shapes_of_;
+  const std::vector<Obstacle>* shapes_ = &kNoShapes;  // of the frame
   std::vector<std::pair<int, int>> ignored_;
   bool may_recoil_ = false;
   Handle<double> detail_, push_, pair_touch_, joints_yield_, shown_;

@@ -4,8 +4,8 @@
 ///
 /// Model      algorithms/ground_contact.h for every shape that collides; constants of the pair of its surface and the
 ///            ground's ("turf") in the world's surface_table, or those of ground_terms. Each point carries the pair's
-///            stiffness over the number of points on which its shape rests: 4 of a box, 3 of a cylinder, 2 of a capsule, 1 of an ellipsoid, as
-///            many of a convex hull as are below the ground (algorithms/ground_hull.h).
+///            stiffness over the number of points on which its shape rests: 4 of a box, 3 of a cylinder, 2 of a
+///            capsule, 1 of an ellipsoid, as many of a convex hull as are below the ground (algorithms/ground_hull.h).
 ///            ground_contact          law and friction that the table says
 ///            paper_contact           `paper` and viscous friction [Friedmann 2007, 3.3.2]
 ///            smooth_contact          `smooth` and viscous friction; the default of simplified dynamics

@@ -7,6 +7,7 @@ namespace murosimf {
 namespace {
 
 constexpr std::size_t kContactsPerRobot = 64;
+constexpr double kMargin = 0.02;  // [m] a robot moves less within a frame
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -75,8 +76,8 @@ void RobotPairs::find(std::vector<ContactRobot>& robots, const std::vector<Fixed
   if (nobody) return;
   discs_.clear();
   for (const ContactRobot& robot : robots) {
-    const Vector3 p = robot.basePosition();
-    discs_.push_back({p.x, p.y, robot.reach()});
+    const Vector3 p = robot.nearPosition(0);
+    discs_.push_back({p.x, p.y, robot.reach() + kMargin});
   }
   for (const auto& [a, b] : grid_.find(discs_)) betweenRobots(a, b);
   for (std::size_t i = 0; i < robots.size(); ++i) {
