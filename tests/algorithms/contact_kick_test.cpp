@@ -150,7 +150,7 @@ PunchResult punch(double body_mass, double stiffness, double speed) {
     ContactPartner& partner = scene.partner(body);
     const RigidResponse response({}, body_mass, partner.X_start.translation, {{1e3, 0, 0}, {0, 1e3, 0}, {0, 0, 1e3}});
     scene.frame.responders = {&response};
-    partner.X_end.translation = partner.X_start.translation + Vector3{v * scene.dt, 0, 0};
+    partner.motion.v = {v, 0, 0};
     scene.advance();
     const double v_end = v + partner.impulse.x / body_mass;
     partner.X_start.translation.x += 0.5 * (v + v_end) * scene.dt;
@@ -192,7 +192,7 @@ TEST(Kick, RecoilingBodyEqualsAFreeBodyOfTheSameMass) {
     const RigidResponse response({}, other.mass, partner.X_start.translation,
                                  {{inverse_inertia, 0, 0}, {0, inverse_inertia, 0}, {0, 0, inverse_inertia}});
     one.frame.responders = {&response};
-    partner.X_end.translation = partner.X_start.translation + v * one.dt;
+    partner.motion.v = v;
     one.advance();
     const Vector3 v_end = v + partner.impulse * (1 / other.mass);
     partner.X_start.translation += (v + v_end) * (0.5 * one.dt);
@@ -234,8 +234,7 @@ TEST(Kick, TwoPointsOfOneRecoilingBodyShareItsMass) {
   for (int i = 0; i < 200; ++i) {
     const RigidResponse response({}, body_mass, scene.partner(0).X_start.translation, inverse_inertia);
     scene.frame.responders = {&response};
-    for (int side : {0, 1})
-      scene.partner(side).X_end.translation = scene.partner(side).X_start.translation + Vector3{v * scene.dt, 0, 0};
+    for (int side : {0, 1}) scene.partner(side).motion.v = {v, 0, 0};
     scene.advance();
     const Vector3 impulse = scene.partner(0).impulse + scene.partner(1).impulse;
     EXPECT_NEAR(impulse.y, 0, 1e-6);

@@ -47,14 +47,15 @@ enum class PartnerKind : std::uint8_t {
 };
 
 /// A body that is not free. In the frame it moves straight and turns evenly from X_start to X_end; a responsive one
-/// recoils besides, and drifts as what else pushes it changes its velocity.
+/// goes on with `motion`, recoils besides, and drifts as what else pushes it changes its velocity.
 struct ContactPartner {
   PartnerKind kind = PartnerKind::kStatic;
-  Pose X_start, X_end;  ///< pose in the world at the frame's start and end, at the velocity of the start: without this
-                        ///< frame's impulses and drift. After a teleport both are the new pose. kStatic: X_start
-  double mass = 0;      ///< of the whole robot [kg]; caps the force that prescribed motion gives and gets
-  int responder = -1;   ///< kResponsive: index of its robot in FrameContacts::responders
-  int body = 0;         ///< kResponsive: the robot's own number of this body
+  Pose X_start, X_end;  ///< kPrescribed: pose in the world at the frame's start and end; after a teleport both are the
+                        ///< new pose. Others: X_start alone
+  SpatialMotion<double> motion;  ///< kResponsive: at the start, of its origin, world axes
+  double mass = 0;               ///< of the whole robot [kg]; caps the force that prescribed motion gives and gets
+  int responder = -1;            ///< kResponsive: index of its robot in FrameContacts::responders
+  int body = 0;                  ///< kResponsive: the robot's own number of this body
   SpatialMotion<double> drift;   ///< kResponsive: acceleration by all but the pairs, about the responder's reference
   Vector3 impulse;               ///< out: on the partner, sum over the frame [N s]; / dt is the wrench to hold
   Vector3 angular_impulse;       ///< out: about X_start.translation [N m s]

@@ -83,6 +83,21 @@ double solveFrozen(const MidpointStep& law, const NormalStep& step, const Surfac
   return max(0.0, stiffness * x / fma(stiffness * law.theta * law.theta, step.dt * step.response, 1.0));
 }
 
+/// `hunt_crossley`: p = h k x (1 - d u) with x and u linear in p, hence a quadratic; the root from which p rises as the
+/// force does.
+double solveQuadratic(const MidpointStep& law, const NormalStep& step, const SurfacePair& pair) {
+  const double u = law.speed(0), x = law.depth(u);  // without p
+  if (x <= 0) return 0;
+  const double by_u = law.theta * step.response, by_x = -law.theta * step.dt * by_u;  // per p
+  const double spring = step.dt * step.stiffness, factor = fnma(pair.dissipation, u, 1.0);
+  if (factor <= 0) return 0;
+  // a p^2 - b p + c = 0 with a >= 0, b >= 1, c > 0: the smaller root, without cancellation.
+  const double a = -spring * by_x * pair.dissipation * by_u;
+  const double b = 1 - spring * (by_x * factor - x * pair.dissipation * by_u);
+  const double c = spring * x * factor;
+  return 2 * c / (b + sqrt(max(0.0, fnma(4 * a, c, b * b))));
+}
+
 }  // namespace
 
 double normalFactor(const SurfacePair& pair, double separating_speed) {
@@ -102,7 +117,8 @@ double midpointWeight(double stiffness, double response, double dt) {
 
 double normalImpulse(const NormalStep& step, const SurfacePair& pair) {
   const MidpointStep law{step, pair, midpointWeight(step.stiffness, step.response, step.dt)};
-  return pair.normal_law == NormalLaw::kPaper ? solveFrozen(law, step, pair) : solveByNewton(law);
+  if (pair.normal_law == NormalLaw::kPaper) return solveFrozen(law, step, pair);
+  return pair.normal_law == NormalLaw::kHuntCrossley ? solveQuadratic(law, step, pair) : solveByNewton(law);
 }
 
 double lateImpulse(const NormalStep& step, const SurfacePair& pair) {

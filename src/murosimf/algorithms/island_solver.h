@@ -89,7 +89,7 @@ class IslandSolver {
   void computeResponses(WorkContact& c) const;
   void giveLateImpulses(double h);
   void warmStart(WorkContact& c, double h);
-  void relax(WorkContact& c, double h);
+  double relax(WorkContact& c, double h);
   double limited(const WorkContact& c, double impulse, const NormalStep& step) const;
   void book(WorkContact& c, double h);
 

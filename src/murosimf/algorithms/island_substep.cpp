@@ -35,9 +35,15 @@ void IslandSolver::substep(int island, double t, double h) {
   }
   for (WorkContact& c : island_)
     if (c.active) warmStart(c, h);
-  for (int sweep = 0; sweep < settings_.sweeps; ++sweep)
-    for (WorkContact& c : island_)
-      if (c.active) relax(c, h);
+  for (int sweep = 0; sweep < settings_.sweeps; ++sweep) {
+    double changed = 0, whole = 0;
+    for (WorkContact& c : island_) {
+      if (!c.active) continue;
+      changed = max(changed, relax(c, h));
+      whole = max(whole, c.p_n);
+    }
+    if (changed <= settings_.settled * whole) break;
+  }
   for (WorkContact& c : island_) book(c, h);
   for (std::size_t i = 0; i < frame_->bodies.size(); ++i)
     if (inIsland(i)) advancePose(frame_->bodies[i], starts_[i], h);
@@ -139,7 +145,8 @@ void IslandSolver::warmStart(WorkContact& c, double h) {
 }
 
 /// One visit of Gauss-Seidel: each of the contact's impulses is solved anew, its own last value taken out.
-void IslandSolver::relax(WorkContact& c, double h) {
+/// @return how much its impulse has changed
+double IslandSolver::relax(WorkContact& c, double h) {
   const ContactPair& pair = pairOf(c);
   const Vector3& n = pair.contact.normal;
   Vector3 u = relativeVelocity(c);
@@ -164,7 +171,9 @@ void IslandSolver::relax(WorkContact& c, double h) {
     turning_change = p_w - c.p_w;
     c.p_w = p_w;
   }
-  give(c, normal_change + tangential_change, turning_change);
+  const Vector3 change = normal_change + tangential_change;
+  give(c, change, turning_change);
+  return norm(change);
 }
 
 /// What moves by prescription pushes with limited force and speed; what a teleport put together parts slowly.

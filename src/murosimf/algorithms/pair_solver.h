@@ -27,9 +27,10 @@ class PairSolver {
  public:
   struct Settings {
     int sweeps = 4;
-    double largest_phase = 0.35;      ///< of w h; restitution is then within 2 %
-    int most_substeps = 256;          ///< per frame
-    double separation_speed = 0.5;    ///< [m/s] at most, of bodies that a teleport put into one another
+    double settled = 1e-5;          ///< fewer sweeps, where impulses change by less than this share of the largest one
+    double largest_phase = 0.35;    ///< of w h; restitution is then within 2 %
+    int most_substeps = 256;        ///< per frame
+    double separation_speed = 0.5;  ///< [m/s] at most, of bodies that a teleport put into one another
     double overlap_tolerance = 2e-3;  ///< [m] of depth gained between two frames that counts as a teleport
   };
 

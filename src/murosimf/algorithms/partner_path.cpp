@@ -3,6 +3,7 @@
 namespace murosimf {
 
 PartnerPath pathOf(const ContactPartner& partner, double dt) {
+  if (partner.kind == PartnerKind::kResponsive) return {partner.motion.v, partner.motion.w};
   if (partner.kind == PartnerKind::kStatic || partner.X_start == partner.X_end) return {};
   const Rotation3 turn = partner.X_end.rotation * transposed(partner.X_start.rotation);
   return {(partner.X_end.translation - partner.X_start.translation) * (1 / dt), rotationLog(turn) * (1 / dt)};

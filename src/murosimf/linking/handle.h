@@ -19,11 +19,11 @@ class LaneValues {
   LaneValues(double* first, int stride) : first_(first), stride_(stride) {}
   /// Value of the subset's object number `object`.
   T get(int object = 0) const {
-    double numbers[sizeof(T) / sizeof(double)];
     const double* source = first_ + object * kNumbers * stride_;
-    for (int i = 0; i < kNumbers; ++i) numbers[i] = source[i * stride_];
+    // Straight into the value: a copy by way of an array would wait for its own stores.
     T value;
-    __builtin_memcpy(&value, numbers, sizeof(T));
+    auto* target = reinterpret_cast<double*>(&value);
+    for (int i = 0; i < kNumbers; ++i) target[i] = source[i * stride_];
     return value;
   }
   void set(const T& value, int object = 0) const {

@@ -98,6 +98,7 @@ ContactRobot::ContactRobot(const World& world, LinkedWorld& linked, ObjectId rob
       shown_(linked.handle(robot, kPlacementsShown)),
       pair_force_(linked.handle(robot, kPairForce, subset::kBodies)),
       base_velocity_(linked.handle(robot, kBaseVelocity)),
+      q_(linked.handle(robot, kJointPosition, subset::kJoints)),
       dq_(linked.handle(robot, kJointVelocity, subset::kJoints)),
       manner_(linked.handle(robot, kStepManner)),
       resident_(&linked.residentOf(robot)) {
@@ -138,7 +139,8 @@ void ContactRobot::readMasses(const World& world) {
   for (const ObjectId joint : world.members(object_, subset::kJoints)) {
     masses_->armature.push_back(world.find(joint, kArmature).value_or(0.0));
   }
-  response_ = std::make_unique<TreeResponse>(*masses_);
+  response_ = std::make_unique<KeptResponse>(*masses_);
+  posture_.reserve(masses_->tree.rows.size() + 9);
 }
 
 int ContactRobot::touchSensorOf(std::uint16_t shape) const {
@@ -213,16 +215,17 @@ int ContactRobot::partner(int row, FrameContacts& frame, int number) {
   ContactPartner& partner = frame.partners.emplace_back();
   partner.kind = PartnerKind::kPrescribed;
   partner.X_start = bodyPose(row);
-  partner.X_end = path_.pose(row, end_);
   partner.mass = mass_;
-  if (!recoils()) return known;
+  if (!recoils()) {
+    partner.X_end = path_.pose(row, end_);
+    return known;
+  }
   partner.kind = PartnerKind::kResponsive;
   partner.responder = number;
   partner.body = row;
   Memory& memory = memory_[index(row)];
   const SpatialMotion<double> motion = motionOf(row);
-  partner.X_end = {rotationExp(motion.w * dt_) * partner.X_start.rotation,
-                   partner.X_start.translation + motion.v * dt_};
+  partner.motion = motion;
   const bool known_before = memory.frame == frame_ - 1;
   const SpatialMotion<double> drift =
       known_before ? (motion - memory.motion - memory.recoil) * (1 / dt_) : SpatialMotion<double>{{}, frame.gravity};
@@ -235,9 +238,20 @@ int ContactRobot::partner(int row, FrameContacts& frame, int number) {
 
 const Response* ContactRobot::response() {
   if (!recoils() || rows_.empty()) return nullptr;
-  for (std::size_t i = 0; i < X_WB_.size(); ++i) X_WB_[i] = bodyPose(static_cast<int>(i));
-  response_->place(X_WB_, joints_yield_.get() > 0);
+  const Pose& X_WB = bodyPose(0);
+  const Rotation3& R = X_WB.rotation;
+  posture_ = {R.x.x, R.x.y, R.x.z, R.y.x, R.y.y, R.y.z, R.z.x, R.z.y, R.z.z};
+  for (int j = 0; j < q_.size(); ++j) posture_.push_back(q_.get(j));
+  response_->begin(X_WB.translation, posture_, joints_yield_.get() > 0, [this]() -> std::span<const Pose> {
+    for (std::size_t i = 0; i < X_WB_.size(); ++i) X_WB_[i] = bodyPose(static_cast<int>(i));
+    return X_WB_;
+  });
   return response_.get();
+}
+
+void ContactRobot::archive(StateArchive& archive) {
+  archive(memory_, level_, placements_);
+  if (response_ != nullptr) archive(*response_);
 }
 
 void ContactRobot::finish(const FrameContacts& frame) {
@@ -247,8 +261,8 @@ void ContactRobot::finish(const FrameContacts& frame) {
   const double turn = manner_.valid() ? manner_.get().held_turn : 0;
   for (const int row : rows_) {
     const ContactPartner& partner = frame.partners[index(partner_of_row_[index(row)])];
-    const Vector3 w = rotationLog(partner.X_end.rotation * transposed(partner.X_start.rotation));
-    const Rotation3 R = rotationExp(w * turn) * path_.pose(row, begin_).rotation;  // its axes, not halfway ones
+    Rotation3 R = path_.pose(row, begin_).rotation;  // its axes, not halfway ones
+    if (turn > 0) R = rotationExp(partner.motion.w * (turn * dt_)) * R;
     const Vector3 from_reference = partner.X_start.translation - basePosition();
     memory_[index(row)].recoil = {partner.recoil.w, partner.recoil.v + cross(partner.recoil.w, from_reference)};
     if (partner.impulse == Vector3{} && partner.angular_impulse == Vector3{}) continue;

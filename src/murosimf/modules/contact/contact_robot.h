@@ -8,13 +8,13 @@
 ///            Motion that takes no forces is prescribed. [physics of the pair phase: pair_solver.h]
 /// State      motion and recoil of the bodies that were partners in the last frame.
 /// Shapes     those that contact_detail says (shape_detection.h); none where it is not there.
-/// Cost       some 10 ns a robot that touches nothing; else what tree_response.h says, and 0.1 us a body that touches.
+/// Cost       some 10 ns a robot that touches nothing; else what kept_response.h says, and 0.1 us a body that touches.
 
 #include <array>
 #include <memory>
 
 #include "murosimf/algorithms/collision/collision_shape.h"
-#include "murosimf/algorithms/tree_response.h"
+#include "murosimf/algorithms/kept_response.h"
 #include "murosimf/linking/body_path.h"
 #include "murosimf/math/state_archive.h"
 #include "murosimf/modules/contact/contact_table.h"
@@ -94,7 +94,7 @@ class ContactRobot {
 
   void feel(int sensor, double force) { push_.set(push_.get(sensor) + force, sensor); }
   void clearSensors();
-  void archive(StateArchive& archive) { archive(memory_, level_, placements_); }
+  void archive(StateArchive& archive);
 
  private:
   /// What a body did in the last frame in which it was a partner; v of its origin, world axes.
@@ -123,11 +123,11 @@ class ContactRobot {
   Handle<double> detail_, push_, pair_touch_, joints_yield_, shown_;
   Handle<SpatialForce<double>> pair_force_;
   Handle<SpatialMotion<double>> base_velocity_;
-  Handle<double> dq_;
+  Handle<double> q_, dq_;
   Handle<StepManner> manner_;
   const Resident* resident_;
   std::unique_ptr<TreeResponse::Constants> masses_;  // null where the robot never recoils
-  std::unique_ptr<TreeResponse> response_;           // same
+  std::unique_ptr<KeptResponse> response_;           // same
   std::vector<Memory> memory_;                       // per row
   int level_ = 0;                                    // at which it is of
   double placements_ = 0;                            // after so many of them
@@ -140,6 +140,7 @@ class ContactRobot {
   long poses_of_ = 0;
   mutable std::vector<SeenPose> seen_;  // of each row, in the frame poses_of_
   std::vector<Pose> X_WB_;
+  std::vector<double> posture_;
 };
 
 }  // namespace murosimf

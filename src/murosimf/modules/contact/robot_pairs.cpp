@@ -92,49 +92,41 @@ void RobotPairs::betweenRobots(int a, int b) {
   if (!robotOf(a).present() || !robotOf(b).present()) return;
   ++counts_.robots;
   PlacedShapes &of_a = placedOf(a), &of_b = placedOf(b);
-  if (!of_a.box.overlaps(of_b.box)) return;
-  for (std::size_t i = 0; i < of_a.centres.size(); ++i) {
-    const Obstacle& shape = robotOf(a).shapes()[i];
+  if (!of_a.box().overlaps(of_b.box())) return;
+  for (std::size_t i = 0; i < of_a.count(); ++i) {
     BoundingBox box;
-    box.hold(of_a.centres[i], shape.reach);
-    if (!box.overlaps(of_b.box)) continue;
-    for (std::size_t j = 0; j < of_b.centres.size(); ++j) {
-      const Obstacle& other = robotOf(b).shapes()[j];
-      const double near = shape.reach + other.reach;
-      if (squaredNorm(of_a.centres[i] - of_b.centres[j]) > near * near) continue;
-      test(sideOf(a, i), sideOf(b, j), table_->between(shape.kind, other.kind));
-    }
+    box.hold(of_a.centre(i), of_a.reach(i));
+    if (!box.overlaps(of_b.box())) continue;
+    const int kind = robotOf(a).shapes()[i].kind;
+    of_b.forNear(of_a.centre(i), of_a.reach(i), [&](std::size_t j) {
+      test(sideOf(a, i), sideOf(b, j), table_->between(kind, robotOf(b).shapes()[j].kind));
+    });
   }
 }
 
 void RobotPairs::withFixed(int robot) {
   const PlaneDisc& disc = discs_[index(robot)];
-  for (std::size_t k = 0; k < fixed_->size(); ++k) {
-    const FixedObstacle& obstacle = (*fixed_)[k];
+  for (const FixedObstacle& obstacle : *fixed_) {
     const Vector3 centre = obstacle.X_WB * obstacle.shape.X_BS.translation;
     const double far = disc.radius + obstacle.shape.reach, dx = centre.x - disc.x, dy = centre.y - disc.y;
     if (dx * dx + dy * dy > far * far) continue;
-    const PlacedShapes& placed = placedOf(robot);
     const Side fixed_side{-1, &obstacle.shape, obstacle.object, obstacle.name, obstacle.X_WB};
-    for (std::size_t i = 0; i < placed.centres.size(); ++i) {
-      const Obstacle& shape = robotOf(robot).shapes()[i];
-      const double near = obstacle.shape.reach + shape.reach;
-      if (squaredNorm(placed.centres[i] - centre) > near * near) continue;
-      test(sideOf(robot, i), fixed_side, table_->between(shape.kind, obstacle.shape.kind));
-    }
+    placedOf(robot).forNear(centre, obstacle.shape.reach, [&](std::size_t i) {
+      const int kind = robotOf(robot).shapes()[i].kind;
+      test(sideOf(robot, i), fixed_side, table_->between(kind, obstacle.shape.kind));
+    });
   }
 }
 
 void RobotPairs::withItself(int robot) {
   const PlacedShapes& placed = placedOf(robot);
   const std::vector<Obstacle>& shapes = robotOf(robot).shapes();
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    for (std::size_t j = i + 1; j < shapes.size(); ++j) {
-      const double near = shapes[i].reach + shapes[j].reach;
-      if (squaredNorm(placed.centres[i] - placed.centres[j]) > near * near) continue;
-      if (robotOf(robot).ignores(shapes[i].row, shapes[j].row)) continue;
+  for (std::size_t i = 0; i < placed.count(); ++i) {
+    const auto visit = [&](std::size_t j) {
+      if (robotOf(robot).ignores(shapes[i].row, shapes[j].row)) return;
       test(sideOf(robot, i), sideOf(robot, j), table_->within(shapes[i].kind, shapes[j].kind));
-    }
+    };
+    placed.forNear(placed.centre(i), placed.reach(i), visit, i + 1);
   }
 }
 

@@ -1,0 +1,50 @@
+#include "murosimf/algorithms/kept_response.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace murosimf {
+
+KeptResponse::KeptResponse(const TreeResponse::Constants& constants) : response_(constants) {
+  constexpr std::size_t kMostBodies = 16, kBaseNumbers = 10;
+  const std::size_t rows = constants.tree.rows.size(), bodies = std::min(rows, kMostBodies);
+  now_.reserve(rows + kBaseNumbers), posture_.reserve(rows + kBaseNumbers);
+  bodies_.reserve(bodies), blocks_.reserve(bodies * bodies);
+}
+
+void KeptResponse::begin(const Vector3& p_WO, std::span<const double> posture, bool joints_yield, Places places) {
+  setReference(p_WO);
+  now_.assign(posture.begin(), posture.end());
+  now_.push_back(joints_yield ? 1 : 0);
+  joints_yield_ = joints_yield;
+  places_ = std::move(places);
+}
+
+bool KeptResponse::holds(std::span<const int> bodies) const {
+  if (posture_.size() != now_.size()) return false;
+  for (std::size_t i = 0; i < now_.size(); ++i) {
+    if (!(abs(now_[i] - posture_[i]) <= kSamePosture)) return false;
+  }
+  return std::all_of(bodies.begin(), bodies.end(),
+                     [&](int body) { return std::find(bodies_.begin(), bodies_.end(), body) != bodies_.end(); });
+}
+
+std::size_t KeptResponse::place(int body) const {
+  return static_cast<std::size_t>(std::find(bodies_.begin(), bodies_.end(), body) - bodies_.begin());
+}
+
+void KeptResponse::respond(std::span<const int> bodies, std::span<ResponseBlock> blocks) const {
+  if (!holds(bodies)) {
+    response_.place(places_(), joints_yield_);
+    bodies_.assign(bodies.begin(), bodies.end());
+    posture_ = now_;
+    blocks_.resize(bodies.size() * bodies.size());
+    response_.respond(bodies_, blocks_);
+  }
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const std::size_t row = place(bodies[i]) * bodies_.size();
+    for (std::size_t j = 0; j < bodies.size(); ++j) blocks[i * bodies.size() + j] = blocks_[row + place(bodies[j])];
+  }
+}
+
+}  // namespace murosimf
