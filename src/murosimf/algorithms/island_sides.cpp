@@ -51,17 +51,28 @@ Vector3 IslandSolver::relativeVelocity(const WorkContact& c) const {
   return velocityOf(pairOf(c).a, c.a) - velocityOf(pairOf(c).b, c.b);
 }
 
+namespace {
+
+/// Adds a body's answer to an impulse.
+inline void addAnswer(SpatialMotion<double>& motion, const ResponseBlock& block, const double (&impulse)[6]) {
+  alignas(32) double sum[8] = {};
+  for (std::size_t b = 0; b < 6; ++b) {
+    for (std::size_t a = 0; a < 8; ++a) sum[a] += block.row[b][a] * impulse[b];
+  }
+  motion += {{sum[0], sum[1], sum[2]}, {sum[3], sum[4], sum[5]}};
+}
+
+}  // namespace
+
 /// Change of a body's motion by an impulse on a body of the same robot.
 SpatialMotion<double> IslandSolver::recoilOf(const WorkPartner& moved, const WorkPartner& pushed,
                                              const SpatialForce<double>& impulse) const {
   const RecoilGroup& group = groups_[index(moved.group)];
   const ResponseBlock& block = responses_[group.matrix + index(moved.row * group.count + pushed.row)];
   const double parts[6] = {impulse.n.x, impulse.n.y, impulse.n.z, impulse.f.x, impulse.f.y, impulse.f.z};
-  alignas(32) double sum[8] = {};
-  for (std::size_t b = 0; b < 6; ++b) {
-    for (std::size_t a = 0; a < 8; ++a) sum[a] += block.row[b][a] * parts[b];
-  }
-  return {{sum[0], sum[1], sum[2]}, {sum[3], sum[4], sum[5]}};
+  SpatialMotion<double> motion;
+  addAnswer(motion, block, parts);
+  return motion;
 }
 
 /// Velocity change of the side's point by an impulse there.
@@ -101,10 +112,11 @@ void IslandSolver::giveTo(const ContactSide& side, const WorkSide& work, const V
   const WorkPartner& pushed = partners_[index(side.partner)];
   if (pushed.group < 0) return;
   const RecoilGroup& group = groups_[index(pushed.group)];
-  const SpatialForce<double> wrench{cross(work.lever, impulse) + angular_impulse, impulse};
-  for (int i = 0; i < group.count; ++i) {
-    WorkPartner& moved = partners_[index(members_[index(group.first + i)])];
-    moved.change += recoilOf(moved, pushed, wrench);
+  const Vector3 moment = cross(work.lever, impulse) + angular_impulse;
+  const double wrench[6] = {moment.x, moment.y, moment.z, impulse.x, impulse.y, impulse.z};
+  const ResponseBlock* block = &responses_[group.matrix + index(pushed.row)];  // of the first body, in its row
+  for (int i = 0; i < group.count; ++i, block += group.count) {
+    addAnswer(partners_[index(members_[index(group.first + i)])].change, *block, wrench);
   }
 }
 void IslandSolver::give(const WorkContact& c, const Vector3& impulse, const Vector3& angular_impulse) {

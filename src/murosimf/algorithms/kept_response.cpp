@@ -6,10 +6,10 @@
 namespace murosimf {
 
 KeptResponse::KeptResponse(const TreeResponse::Constants& constants) : response_(constants) {
-  constexpr std::size_t kMostBodies = 16, kBaseNumbers = 10;
-  const std::size_t rows = constants.tree.rows.size(), bodies = std::min(rows, kMostBodies);
+  constexpr std::size_t kBaseNumbers = 10;
+  const std::size_t rows = constants.tree.rows.size();
   now_.reserve(rows + kBaseNumbers), posture_.reserve(rows + kBaseNumbers);
-  bodies_.reserve(bodies), blocks_.reserve(bodies * bodies);
+  bodies_.reserve(rows), blocks_.reserve(rows * rows);
 }
 
 void KeptResponse::begin(const Vector3& p_WO, std::span<const double> posture, bool joints_yield, Places places) {

@@ -5,7 +5,7 @@
 /// The response about the base's origin depends on the joints' positions and the base's rotation alone. While none of
 /// their numbers has changed by more than 2e-3 [rad, 1], neither has the response by more than some thousandths, which
 /// is less than what it leaves out of the servos; what two robots hand to one another stays equal and opposite.
-/// Allocates nothing within frames while no more than 16 bodies of a robot touch at once.
+/// There is room for all bodies, of which only as much is ever touched as bodies have been; nothing is allocated later.
 /// State: what is kept, for checkpoints.
 
 #include <functional>

@@ -80,6 +80,8 @@ class ContactRobot {
   Vector3 basePosition() const { return bodyPose(0).translation; }
   /// Where a body will be at the frame's end.
   Vector3 nearPosition(int row) const { return path_.position(row, end_); }
+  /// Where a body is shown at the frame's start: half a step from bodyPose() at most, and cheaper.
+  Pose shownPose(int row) const { return path_.pose(row, begin_); }
   /// Where a body is at the frame's start. Motion by implicit Euler shows positions half a step ahead of its
   /// velocities, which would take e^-((pi/8) w dt (1 + sqrt(s_b))) from every bounce: of it half a step is taken back,
   /// as the method of leapfrog reads it [Hairer, Lubich, Wanner 2006, I.1]. Then it moves by the mean of both

@@ -32,51 +32,58 @@ class PlacedShapes {
  public:
   static constexpr std::size_t kTogether = 8;
 
-  void reserve(std::size_t shapes) {
-    for (std::vector<double>* list : {&x_, &y_, &z_, &reach_}) list->reserve(shapes + kTogether);
-  }
+  void reserve(std::size_t shapes) { spheres_.reserve(shapes / kTogether + 1); }
   /// At the start of the frame `now`.
   void place(const ContactRobot& robot, long now) {
     if (frame_ == now) return;
     frame_ = now;
     count_ = robot.shapes().size();
-    const std::size_t filled = (count_ + kTogether - 1) / kTogether * kTogether;
-    for (std::vector<double>* list : {&x_, &y_, &z_}) list->assign(filled, 0);
-    reach_.assign(filled, kNothing);
+    spheres_.assign((count_ + kTogether - 1) / kTogether, {});
     box_ = {};
     for (std::size_t i = 0; i < count_; ++i) {
       const Obstacle& shape = robot.shapes()[i];
-      const Vector3 centre = robot.bodyPose(shape.row) * shape.X_BS.translation;
-      x_[i] = centre.x, y_[i] = centre.y, z_[i] = centre.z, reach_[i] = shape.reach;
-      box_.hold(centre, shape.reach);
+      const Vector3 centre = robot.shownPose(shape.row) * shape.X_BS.translation;
+      const double reach = shape.reach + kHalfStep;
+      Eight& eight = spheres_[i / kTogether];
+      const std::size_t k = i % kTogether;
+      eight.x[k] = centre.x, eight.y[k] = centre.y, eight.z[k] = centre.z, eight.reach[k] = reach;
+      box_.hold(centre, reach);
     }
   }
   std::size_t count() const { return count_; }
-  Vector3 centre(std::size_t i) const { return {x_[i], y_[i], z_[i]}; }
-  double reach(std::size_t i) const { return reach_[i]; }
+  Vector3 centre(std::size_t i) const {
+    const Eight& eight = spheres_[i / kTogether];
+    const std::size_t k = i % kTogether;
+    return {eight.x[k], eight.y[k], eight.z[k]};
+  }
+  double reach(std::size_t i) const { return spheres_[i / kTogether].reach[i % kTogether]; }
   const BoundingBox& box() const { return box_; }
   /// Calls visit(i) for each shape whose sphere meets the one about a centre, in their order, from `first` on.
   template <class Visit>
   void forNear(const Vector3& centre, double reach, Visit&& visit, std::size_t first = 0) const {
-    for (std::size_t begin = first / kTogether * kTogether; begin < count_; begin += kTogether) {
+    for (std::size_t e = first / kTogether; e < spheres_.size(); ++e) {
+      const Eight& eight = spheres_[e];
       double apart[kTogether], near[kTogether];
       for (std::size_t k = 0; k < kTogether; ++k) {
-        const double dx = x_[begin + k] - centre.x, dy = y_[begin + k] - centre.y, dz = z_[begin + k] - centre.z;
-        near[k] = reach + reach_[begin + k];
+        const double dx = eight.x[k] - centre.x, dy = eight.y[k] - centre.y, dz = eight.z[k] - centre.z;
+        near[k] = reach + eight.reach[k];
         apart[k] = dx * dx + dy * dy + dz * dz;
       }
       for (std::size_t k = 0; k < kTogether; ++k) {
-        const bool meets = near[k] >= 0 && apart[k] <= near[k] * near[k];
-        if (meets && begin + k >= first) visit(begin + k);
+        const std::size_t i = e * kTogether + k;
+        if (i >= first && i < count_ && apart[k] <= near[k] * near[k]) visit(i);
       }
     }
   }
 
  private:
-  static constexpr double kNothing = -1e9;  // reach of what fills up the lists
+  static constexpr double kHalfStep = 0.003;  // [m] that shown poses may be off
+  struct Eight {
+    double x[kTogether] = {}, y[kTogether] = {}, z[kTogether] = {}, reach[kTogether] = {};
+  };
   long frame_ = -1;
   std::size_t count_ = 0;
-  std::vector<double> x_, y_, z_, reach_;
+  std::vector<Eight> spheres_;
   BoundingBox box_;
 };
 
