@@ -6,7 +6,7 @@
 ///            joints_yield is 0. What else acts on a body is told from its last frame, in world axes, of its origin:
 ///            drift = (change of motion - recoil) / dt [m/s^2, rad/s^2]; gravity where it was no partner then.
 ///            Motion that takes no forces is prescribed. [physics of the pair phase: pair_solver.h]
-/// State      motion and recoil of the bodies that were partners in the last frame.
+/// State      motion and recoil of the bodies that were partners in the last frame; the response that is kept.
 /// Shapes     those that contact_detail says (shape_detection.h); none where it is not there.
 /// Cost       some 10 ns a robot that touches nothing; else what kept_response.h says, and 0.1 us a body that touches.
 

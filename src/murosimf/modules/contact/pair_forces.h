@@ -2,10 +2,9 @@
 
 /// @file How a robot takes the forces of other robots, balls and posts: it recoils.
 ///
-/// Model      what the pair phase has found for the frame is held over it as a force and a moment on each body,
-/// constant
-///            in the body's axes; the pair phase turns it so that its mean over the step is right in the world's
-///            (held_turn of step_manner). A robot without this module goes on as if it had touched nothing.
+/// Model      what the pair phase has found for the frame is held over it as a force and a moment on each body, both
+///            constant in the body's axes; the pair phase turns it so that its mean over the step is right in the
+///            world's (held_turn of step_manner). A robot without this module goes on as if it had touched nothing.
 ///            pair_forces        joints give way: for multibody dynamics
 ///            rigid_pair_forces  the robot answers as one body whose joints are held: for simplified dynamics. With
 ///                               joints that do give way it would promise more mass than the robot has, and throw what

@@ -11,14 +11,14 @@
 /// Free bodies   need mass, inertia_factor, ball_radius and one shape (its surface name counts);
 ///               it adds base_pose, body_velocity and body_rate, and moves them every frame.
 /// Robots        it reads body_pose and body_pose_last; shapes that shape_detection.h chooses touch. Whoever takes
-/// pair_force recoils
-///               (contact_robot.h); the motion of others is prescribed: they push with a capped force. It adds
-///               push_force of their touch sensors: the force of what they touch here on the shapes that the sensor
-///               feels, mean over the frame.
+///               pair_force recoils (contact_robot.h); the motion of others is prescribed: they push with a capped
+///               force. It adds push_force of their touch sensors: the force of what they touch here on the shapes
+///               that the sensor feels, mean over the frame.
 /// Who touches   all that the world's contact_rules do not forbid, as its surface_table and they say (contact_table.h).
 /// Static        objects with fixed_pose and shapes; the ground is the half-space below z = 0, surface "turf". Robots
 ///               meet the ground by modules of their own.
-/// State         contacts kept from frame to frame (PairSolver::kept), motion of bodies that touched (contact_robot.h).
+/// State         contacts kept from frame to frame (PairSolver::kept), motion of bodies that touched and how their
+///               robots answer impulses (contact_robot.h).
 
 #include <memory>
 #include <vector>
