@@ -216,6 +216,33 @@ TEST(Kick, SwingingFootKicksWithTheSpeedOfItsPoint) {
   EXPECT_NEAR(scene.ball().velocity.x, (1 + std::sqrt(kFootRestitution)) * rate * hip, 0.03 * rate * hip);
 }
 
+TEST(Kick, ABodyIsHandedTheImpulsesByWhichTheSolverMovedItInSubstepsToo) {
+  // A ball that asks for substeps lies on one of two bodies, which meet within the frame before: found deep.
+  ContactScene scene;
+  scene.addBall({}, {-0.1, 0, 0.1149}, {0, 0, -1});
+  const Rotation3 unturned{{}, {}, {}};  // no inverse inertia
+  const RigidResponse left({-0.1, 0, 0}, 1, {-0.1, 0, 0}, unturned), right({0.1, 0, 0}, 2, {0.1, 0, 0}, unturned);
+  scene.frame.responders = {&left, &right};
+  for (const int side : {0, 1}) {
+    const int body = scene.addPartner(PartnerKind::kResponsive, {{}, {side == 0 ? -0.1 : 0.1, 0, 0}});
+    scene.partner(body).responder = side;
+  }
+  scene.partner(0).motion.v = {2, 0, 0};
+  scene.addSolid(0, 0, makeBox({0.2, 0.2, 0.1}), smoothSurface(1e5, 0.5));
+  ContactPair& met = scene.frame.pairs.emplace_back();
+  met.key = {1, 2, 0, 0, 1};
+  met.a.partner = 0, met.b.partner = 1;
+  met.surface = smoothSurface(1e5, 0.5);
+  met.found = true;
+  met.radius = 0.05;
+  met.contact = {0.0015, {0, 0, 0}, {-1, 0, 0}};
+  scene.advance();
+  EXPECT_LT(scene.partner(0).recoil.v.x, -0.1) << "it was to be stopped";
+  EXPECT_NEAR(scene.partner(0).recoil.v.x, scene.partner(0).impulse.x / 1, 1e-12);
+  EXPECT_NEAR(scene.partner(1).recoil.v.x, scene.partner(1).impulse.x / 2, 1e-12);
+  EXPECT_NEAR(scene.partner(0).impulse.x, -scene.partner(1).impulse.x, 1e-12);
+}
+
 TEST(Kick, TwoPointsOfOneRecoilingBodyShareItsMass) {
   // A ball meets a frictionless right-angled notch along its bisector: both normals return e, so the bisector does.
   const BallType ball;

@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "murosimf/algorithms/island_solver.h"
 
 namespace murosimf {
@@ -200,7 +202,8 @@ void IslandSolver::book(WorkContact& c, double h) {
     return;
   }
   const Vector3& n = pair.contact.normal;
-  const Vector3 impulse = n * (c.p_n + c.late) + c.p_t;
+  const double p_n = c.p_n + std::exchange(c.late, 0.0);  // owed once, in the first substep
+  const Vector3 impulse = n * p_n + c.p_t;
   kept.normal = n;
   kept.normal_force = c.p_n / h;
   kept.friction_force = c.p_t * (1 / h);
@@ -208,7 +211,7 @@ void IslandSolver::book(WorkContact& c, double h) {
   const double end_speed = dot(n, relativeVelocity(c));
   kept.depth = pair.contact.depth - 0.5 * h * (c.start_speed + end_speed);
   if (pair.found) pair.contact.depth = kept.depth;
-  if (c.p_n + c.late <= 0) return;
+  if (p_n <= 0) return;
   pair.touched = true;
   pair.impulse += impulse;
   // From the path's place at this moment to its start: a partner's moment is about a point that stays.

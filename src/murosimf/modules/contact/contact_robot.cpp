@@ -165,7 +165,9 @@ void ContactRobot::begin(long frame, double dt) {
   shapes_ = detail_.valid() ? &(*shapes_of_)[static_cast<std::size_t>(detail_.get())] : &kNoShapes;
   begin_ = path_.contactShareAt(frame), end_ = path_.contactShareAfter(frame);
   // A motion that moves by the velocity at its step's end has gone half a step farther than that velocity counts.
-  ahead_ = recoils() && manner_.valid() && manner_.get().end_velocity_share == 1;
+  // Longer steps are shown frame by frame: their places between are not the integrator's.
+  const bool each_frame = base_velocity_.period() == 1;
+  ahead_ = recoils() && each_frame && manner_.valid() && manner_.get().end_velocity_share == 1;
   ++poses_of_;
   forgetWhatWasMoved();
 }
@@ -181,7 +183,7 @@ void ContactRobot::forgetWhatWasMoved() {
 
 /// Of a body's origin at the frame's start, world axes: the way that it went in the last step tells the mean over it.
 SpatialMotion<double> ContactRobot::motionOf(int row) const {
-  const Pose X_WB = bodyPose(row);
+  const Pose& X_WB = bodyPose(row);
   if (row == 0) {
     const SpatialMotion<double> V = base_velocity_.get();
     return {X_WB.rotation * V.w, X_WB.rotation * V.v};

@@ -109,31 +109,36 @@ void GroundContact::addVertices(const PlacedShape& s, const std::vector<SolePlac
   shape.shares = shares.of_vertices.data();
 }
 
+void GroundContact::addShape(const PlacedShape& s, const SurfacePair& pair, const std::vector<SolePlace>& soles) {
+  GroundShape& shape = shapes_.emplace_back();
+  const KindOnGround kind = onGround(s.shape.kind);
+  shape.kind = kind.kind;
+  shape.row = s.row;
+  shape.sole = soleOf(s, soles);
+  shape.touch_sensor = s.touch_sensor;
+  shape.X_RS = kernelPose(s.X_BS);
+  put(s.shape.half_size, shape.half_size);
+  placeCorners(s, shape);
+  if (s.hull != nullptr) addVertices(s, soles, shape);
+  shape.reach = boundingRadius(s.shape);
+  shape.pair = pair;
+  if (laws_) shape.pair.normal_law = laws_->normal, shape.pair.friction_law = laws_->friction;
+  shape.stiffness = shape.pair.stiffness / kind.resting_points;
+}
+
 void GroundContact::link(Links& links) {
   const SurfaceTable table = links.shared(kSurfaceTable, subset::kWorld);
   const std::vector<SolePlace> soles = links.shared(kSoles);
   const std::vector<ContactTerms> rules = links.shared(kGroundTerms);
+  const std::vector<PlacedShape> shapes = links.shared(kShapes);
   const int rows = links.shared(kTree).bodyCount();
-  std::size_t number = 0;
-  for (const PlacedShape& s : links.shared(kShapes)) {
-    const ContactTerms terms = s.collides ? termsWithGround(rules, number, table, s.surface) : ContactTerms{};
-    ++number;
-    if (!s.collides || !terms.check) continue;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const PlacedShape& s = shapes[i];
+    if (!s.collides) continue;
+    const ContactTerms terms = termsWithGround(rules, i, table, s.surface);
+    if (!terms.check) continue;
     if (s.row < 0 || s.row >= rows) throw std::invalid_argument(fmt::format("a shape on row {} of {}", s.row, rows));
-    GroundShape& shape = shapes_.emplace_back();
-    const KindOnGround kind = onGround(s.shape.kind);
-    shape.kind = kind.kind;
-    shape.row = s.row;
-    shape.sole = soleOf(s, soles);
-    shape.touch_sensor = s.touch_sensor;
-    shape.X_RS = kernelPose(s.X_BS);
-    put(s.shape.half_size, shape.half_size);
-    placeCorners(s, shape);
-    if (s.hull != nullptr) addVertices(s, soles, shape);
-    shape.reach = boundingRadius(s.shape);
-    shape.pair = terms.surface;
-    if (laws_) shape.pair.normal_law = laws_->normal, shape.pair.friction_law = laws_->friction;
-    shape.stiffness = shape.pair.stiffness / kind.resting_points;
+    addShape(s, terms.surface, soles);
   }
   const auto bulges = std::stable_partition(shapes_.begin(), shapes_.end(), [](const GroundShape& shape) {
     return shape.kind != GroundShape::Kind::kCapsule && shape.kind != GroundShape::Kind::kConvex;

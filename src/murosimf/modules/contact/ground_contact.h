@@ -42,6 +42,7 @@ class GroundContact : public BlockModule {
     FrictionLaw friction;
   };
   std::optional<Laws> laws_;
+  void addShape(const PlacedShape& s, const SurfacePair& pair, const std::vector<SolePlace>& soles);
   void addVertices(const PlacedShape& s, const std::vector<SolePlace>& soles, GroundShape& shape);
 
   std::vector<GroundShape> shapes_;
