@@ -49,6 +49,26 @@ TEST(RobotsInFlight, WhoDoesNotRecoilPushesAndKeepsItsWay) {
   EXPECT_GT(two.momentum(1).x, 1) << "it was to be pushed";
 }
 
+TEST(RobotsInFlight, AreSeenOnAnEvenWayWhateverTheLengthOfTheirSteps) {
+  for (const char* period : {"0.001", "0.004"}) {
+    Robots one({"multibody_dynamics"}, {std::string("robots.all.motion.period=") + period});
+    ContactTable table(one.simulation().world());
+    std::vector<SharedShapes> known;
+    ContactRobot seen(one.simulation().world(), one.simulation().linked(), one.robot(0), table, known);
+    one.put(0, {{}, {0, 0, 5}}, {2, 0, 0});
+    for (int i = 0; i < 16; ++i) one.simulation().step();
+    double last = 0;
+    for (int i = 0; i < 16; ++i) {
+      seen.begin(one.simulation().frame(), one.simulation().frameLength());
+      const double x = seen.basePosition().x;
+      const double way = i > 0 ? x - last : 2e-3;
+      EXPECT_NEAR(way, 2e-3, 1e-5) << period << " frame " << i;
+      last = x;
+      one.simulation().step();
+    }
+  }
+}
+
 class RobotOntoRobot : public testing::TestWithParam<TwoMotions> {};
 
 TEST_P(RobotOntoRobot, FallsAndLiesThereWithoutSinkingIn) {
