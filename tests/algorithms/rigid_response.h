@@ -5,6 +5,9 @@
 ///
 /// The whole robot is one rigid body, whatever body is touched.
 
+#include <algorithm>
+#include <vector>
+
 #include "murosimf/algorithms/contact_frame.h"
 
 namespace murosimf {
@@ -16,10 +19,10 @@ class RigidResponse final : public Response {
   RigidResponse(const Vector3& p_WO, double mass, const Vector3& p_WCom, const Rotation3& inverse_inertia_W)
       : Response(p_WO), mass_(mass), p_OCom_W_(p_WCom - p_WO), inverse_inertia_(inverse_inertia_W) {}
 
-  void respond(std::span<const int> bodies, std::span<ResponseBlock> blocks) const override {
-    for (std::size_t k = 0; k < bodies.size() * bodies.size(); ++k) {
-      for (std::size_t b = 0; b < 6; ++b) column(b, blocks[k].row[b]);
-    }
+  ResponseBlocks respond(std::span<const int>, std::span<int> places) const override {
+    for (std::size_t b = 0; b < 6; ++b) column(b, block_.row[b]);
+    std::fill(places.begin(), places.end(), 0);
+    return {&block_, 1};
   }
 
  private:
@@ -34,6 +37,17 @@ class RigidResponse final : public Response {
   double mass_;
   Vector3 p_OCom_W_;
   Rotation3 inverse_inertia_;
+  mutable ResponseBlock block_;
 };
+
+/// How bodies answer impulses on one another: that of body i to an impulse on body j at n i + j.
+inline std::vector<ResponseBlock> blocksOf(const Response& response, std::span<const int> bodies) {
+  std::vector<int> places(bodies.size());
+  const ResponseBlocks answer = response.respond(bodies, places);
+  std::vector<ResponseBlock> blocks;
+  for (const int i : places)
+    for (const int j : places) blocks.push_back(answer.at(i, j));
+  return blocks;
+}
 
 }  // namespace murosimf

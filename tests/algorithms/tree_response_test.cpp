@@ -85,9 +85,9 @@ TEST(TreeResponse, OfALoneBodyIsThatOfARigidOne) {
                           cross(x, y) * over_determinant};
   const RigidResponse rigid(robot.X_WB[0].translation, body.m, robot.X_WB[0] * com, inverse);
   const int bodies[] = {0};
-  std::vector<ResponseBlock> a(1), b(1);
+  std::vector<ResponseBlock> a(1);
   tree.respond(bodies, a);
-  rigid.respond(bodies, b);
+  const std::vector<ResponseBlock> b = blocksOf(rigid, bodies);
   for (std::size_t r = 0; r < 6; ++r) {
     for (std::size_t k = 0; k < 6; ++k)
       EXPECT_NEAR(a[0].row[r][k], b[0].row[r][k], 1e-9 * (1 + std::abs(b[0].row[r][k])));

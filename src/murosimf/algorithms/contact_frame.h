@@ -93,6 +93,14 @@ struct ResponseBlock {
   alignas(32) double row[6][8] = {};
 };
 
+/// n x n blocks of n bodies of one robot.
+struct ResponseBlocks {
+  const ResponseBlock* blocks = nullptr;
+  int count = 0;  ///< n
+  /// How the body at place i answers impulses on the one at place j.
+  const ResponseBlock& at(int i, int j) const { return blocks[i * count + j]; }
+};
+
 /// How a robot's own step answers impulses: H^-1 of its motion algorithm (rigid, articulated with servos), as the
 /// changes of its bodies' motion. It must not promise more mass than the robot then shows.
 /// Everything of a robot is in world axes, about one point of reference: motion (w; v), impulse (moment; force).
@@ -104,9 +112,9 @@ class Response {
   virtual ~Response() = default;
   const Vector3& reference() const { return p_WO_; }
   void setReference(const Vector3& p_WO) { p_WO_ = p_WO; }
-  /// For n bodies writes n x n blocks: how body i answers the impulses on body j stands at blocks[n i + j]. As one
+  /// Blocks of these bodies at least, valid until the next call. Overwrites their `places` among the blocks. As one
   /// matrix symmetric, positive semidefinite.
-  virtual void respond(std::span<const int> bodies, std::span<ResponseBlock> blocks) const = 0;
+  virtual ResponseBlocks respond(std::span<const int> bodies, std::span<int> places) const = 0;
 
  private:
   Vector3 p_WO_;

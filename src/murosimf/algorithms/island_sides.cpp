@@ -36,6 +36,12 @@ Pose IslandSolver::poseOf(const ContactSide& side, double t) const {
   return X_WP;
 }
 
+/// Its origin at the frame's start.
+Vector3 IslandSolver::startOf(const ContactSide& side) const {
+  const FreeBody* body = bodyOf(side);
+  return body != nullptr ? body->X_WB.translation : partnerOf(side)->X_start.translation;
+}
+
 Vector3 IslandSolver::velocityOf(const ContactSide& side, const WorkSide& work) const {
   if (const FreeBody* body = bodyOf(side)) return pointVelocity(*body, work.arm);
   const WorkPartner& partner = partners_[index(side.partner)];
@@ -68,7 +74,7 @@ inline void addAnswer(SpatialMotion<double>& motion, const ResponseBlock& block,
 SpatialMotion<double> IslandSolver::recoilOf(const WorkPartner& moved, const WorkPartner& pushed,
                                              const SpatialForce<double>& impulse) const {
   const RecoilGroup& group = groups_[index(moved.group)];
-  const ResponseBlock& block = responses_[group.matrix + index(moved.row * group.count + pushed.row)];
+  const ResponseBlock& block = group.blocks.at(moved.place, pushed.place);
   const double parts[6] = {impulse.n.x, impulse.n.y, impulse.n.z, impulse.f.x, impulse.f.y, impulse.f.z};
   SpatialMotion<double> motion;
   addAnswer(motion, block, parts);
@@ -99,7 +105,7 @@ double IslandSolver::turningResponse(const ContactSide& side) const {
   const WorkPartner& partner = partners_[index(side.partner)];
   if (partner.group < 0) return 0;
   const RecoilGroup& group = groups_[index(partner.group)];
-  const ResponseBlock& block = responses_[group.matrix + index(partner.row * (group.count + 1))];
+  const ResponseBlock& block = group.blocks.at(partner.place, partner.place);
   return block.row[0][0] + block.row[1][1] + block.row[2][2];
 }
 
@@ -114,9 +120,9 @@ void IslandSolver::giveTo(const ContactSide& side, const WorkSide& work, const V
   const RecoilGroup& group = groups_[index(pushed.group)];
   const Vector3 moment = cross(work.lever, impulse) + angular_impulse;
   const double wrench[6] = {moment.x, moment.y, moment.z, impulse.x, impulse.y, impulse.z};
-  const ResponseBlock* block = &responses_[group.matrix + index(pushed.row)];  // of the first body, in its row
-  for (int i = 0; i < group.count; ++i, block += group.count) {
-    addAnswer(partners_[index(members_[index(group.first + i)])].change, *block, wrench);
+  for (int i = 0; i < group.count; ++i) {
+    WorkPartner& member = partners_[index(members_[index(group.first + i)])];
+    addAnswer(member.change, group.blocks.at(member.place, pushed.place), wrench);
   }
 }
 void IslandSolver::give(const WorkContact& c, const Vector3& impulse, const Vector3& angular_impulse) {

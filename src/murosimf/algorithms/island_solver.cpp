@@ -20,10 +20,8 @@ void IslandSolver::reserve(std::size_t bodies, std::size_t pairs) {
   starts_.reserve(bodies);
   parents_.reserve(2 * bodies + pairs);
   partners_.reserve(2 * pairs);
-  members_.reserve(2 * pairs), asked_.reserve(2 * pairs), groups_.reserve(2 * pairs);
+  members_.reserve(2 * pairs), asked_.reserve(2 * pairs), places_.reserve(2 * pairs), groups_.reserve(2 * pairs);
   contacts_.reserve(pairs);
-  // Of one island at a time: 32 bodies of a robot take part, 512 altogether.
-  responses_.reserve(std::min<std::size_t>(pairs, 32) * std::min<std::size_t>(pairs, 512));
 }
 
 void IslandSolver::advance(FrameContacts& frame, std::span<KeptContact> kept, double dt) {
@@ -135,7 +133,7 @@ void IslandSolver::advanceIsland(int island, double dt) {
 }
 
 void IslandSolver::askResponses() {
-  responses_.clear(), groups_.clear(), members_.clear();
+  groups_.clear(), members_.clear();
   for (const WorkContact& c : island_) {
     for (const ContactSide& side : {pairOf(c).a, pairOf(c).b}) {
       const ContactPartner* partner = partnerOf(side);
@@ -148,7 +146,7 @@ void IslandSolver::askResponses() {
 /// One matrix for all bodies of a robot that take part in the island.
 void IslandSolver::askResponse(int responder) {
   const Response& response = *frame_->responders[index(responder)];
-  RecoilGroup group{responder, static_cast<int>(members_.size()), 0, responses_.size(), response.reference()};
+  const int group = static_cast<int>(groups_.size()), first = static_cast<int>(members_.size());
   asked_.clear();
   for (const WorkContact& c : island_) {
     for (const ContactSide& side : {pairOf(c).a, pairOf(c).b}) {
@@ -156,15 +154,15 @@ void IslandSolver::askResponse(int responder) {
       if (partner == nullptr || partner->responder != responder) continue;
       WorkPartner& work = partners_[index(side.partner)];
       if (work.group >= 0) continue;
-      work.group = static_cast<int>(groups_.size());
-      work.row = group.count++;
+      work.group = group;
       members_.push_back(side.partner);
       asked_.push_back(partner->body);
     }
   }
-  groups_.push_back(group);
-  responses_.resize(responses_.size() + asked_.size() * asked_.size());
-  response.respond(asked_, std::span(responses_).subspan(group.matrix));
+  places_.resize(asked_.size());
+  const ResponseBlocks blocks = response.respond(asked_, places_);
+  for (std::size_t i = 0; i < places_.size(); ++i) partners_[index(members_[index(first) + i])].place = places_[i];
+  groups_.push_back({responder, first, static_cast<int>(asked_.size()), blocks, response.reference()});
 }
 
 /// Free bodies alone ask for them: robots advance by whole frames.

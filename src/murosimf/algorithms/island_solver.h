@@ -20,7 +20,7 @@ SphereContact detectSphere(const ContactPair& pair, const Vector3& p_WC, const P
 struct WorkPartner {
   PartnerPath path;
   int group = -1;  ///< of what recoils; -1: it does not
-  int row = 0;     ///< among the bodies of its group
+  int place = 0;   ///< among the blocks of its group
   // By impulses and drift, about the group's reference:
   SpatialMotion<double> change, start;  ///< of its motion since the frame's start, and at the substep's start
   SpatialMotion<double> shift;          ///< displacement since the frame's start
@@ -30,8 +30,8 @@ struct WorkPartner {
 struct RecoilGroup {
   int responder = 0;
   int first = 0, count = 0;  ///< its partners among members_
-  std::size_t matrix = 0;    ///< where its blocks begin in responses_
-  Vector3 p_WO;              ///< reference
+  ResponseBlocks blocks;
+  Vector3 p_WO;  ///< reference
 };
 
 /// One side of a contact.
@@ -101,6 +101,7 @@ class IslandSolver {
   bool isPrescribed(const ContactSide& side) const;
   double massOf(const ContactSide& side) const;
   Pose poseOf(const ContactSide& side, double t) const;
+  Vector3 startOf(const ContactSide& side) const;
   Vector3 velocityOf(const ContactSide& side, const WorkSide& work) const;
   Vector3 turningOf(const ContactSide& side) const;
   Vector3 relativeVelocity(const WorkContact& c) const;
@@ -121,8 +122,7 @@ class IslandSolver {
   std::vector<MotionStart> starts_;  // per body
   std::vector<int> parents_;         // union-find over bodies, then responders
   std::vector<RecoilGroup> groups_;  // of the island
-  std::vector<int> members_, asked_;
-  std::vector<ResponseBlock> responses_;  // n x n of every group, one after another
+  std::vector<int> members_, asked_, places_;
 };
 
 }  // namespace murosimf

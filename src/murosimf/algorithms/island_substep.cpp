@@ -68,8 +68,13 @@ SphereContact detectSphere(const ContactPair& pair, const Vector3& p_WC, const P
 void IslandSolver::place(WorkContact& c, double t) const {
   ContactPair& pair = pairOf(c);
   if (pair.found && t > 0) return;
+  if (pair.found) {
+    placeSide(pair.a, pair.contact.point, startOf(pair.a), c.a);
+    placeSide(pair.b, pair.contact.point, startOf(pair.b), c.b);
+    return;
+  }
   const Pose X_WA = poseOf(pair.a, t), X_WB = poseOf(pair.b, t);
-  if (!pair.found) pair.contact = detectSphere(pair, X_WA * pair.p_BC, X_WB);
+  pair.contact = detectSphere(pair, X_WA * pair.p_BC, X_WB);
   placeSide(pair.a, pair.contact.point, X_WA.translation, c.a);
   placeSide(pair.b, pair.contact.point, X_WB.translation, c.b);
 }

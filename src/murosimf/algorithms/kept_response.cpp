@@ -29,11 +29,7 @@ bool KeptResponse::holds(std::span<const int> bodies) const {
                      [&](int body) { return std::find(bodies_.begin(), bodies_.end(), body) != bodies_.end(); });
 }
 
-std::size_t KeptResponse::place(int body) const {
-  return static_cast<std::size_t>(std::find(bodies_.begin(), bodies_.end(), body) - bodies_.begin());
-}
-
-void KeptResponse::respond(std::span<const int> bodies, std::span<ResponseBlock> blocks) const {
+ResponseBlocks KeptResponse::respond(std::span<const int> bodies, std::span<int> places) const {
   if (!holds(bodies)) {
     response_.place(places_(), joints_yield_);
     bodies_.assign(bodies.begin(), bodies.end());
@@ -41,10 +37,9 @@ void KeptResponse::respond(std::span<const int> bodies, std::span<ResponseBlock>
     blocks_.resize(bodies.size() * bodies.size());
     response_.respond(bodies_, blocks_);
   }
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const std::size_t row = place(bodies[i]) * bodies_.size();
-    for (std::size_t j = 0; j < bodies.size(); ++j) blocks[i * bodies.size() + j] = blocks_[row + place(bodies[j])];
-  }
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    places[i] = static_cast<int>(std::find(bodies_.begin(), bodies_.end(), bodies[i]) - bodies_.begin());
+  return {blocks_.data(), static_cast<int>(bodies_.size())};
 }
 
 }  // namespace murosimf

@@ -23,13 +23,12 @@ class KeptResponse final : public Response {
   explicit KeptResponse(const TreeResponse::Constants& constants);
   /// The robot of this moment. @param posture  joints and base's rotation, and whatever else the response depends on
   void begin(const Vector3& p_WO, std::span<const double> posture, bool joints_yield, Places places);
-  void respond(std::span<const int> bodies, std::span<ResponseBlock> blocks) const override;
+  ResponseBlocks respond(std::span<const int> bodies, std::span<int> places) const override;
   void archive(StateArchive& archive) { archive(bodies_, posture_, blocks_); }
 
  private:
   static constexpr double kSamePosture = 2e-3;
   bool holds(std::span<const int> bodies) const;
-  std::size_t place(int body) const;
 
   mutable TreeResponse response_;
   // Of this moment.
@@ -39,7 +38,7 @@ class KeptResponse final : public Response {
   // Kept.
   mutable std::vector<int> bodies_;
   mutable std::vector<double> posture_;
-  mutable std::vector<ResponseBlock> blocks_;  // as respond() gives them
+  mutable std::vector<ResponseBlock> blocks_;  // of bodies_
 };
 
 }  // namespace murosimf

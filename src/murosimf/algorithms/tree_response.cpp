@@ -61,9 +61,9 @@ TreeResponse::TreeResponse(const Constants& constants)
 }
 
 void TreeResponse::place(std::span<const Pose> X_WB, bool joints_yield) {
-  setReference(X_WB[0].translation);
+  p_WO_ = X_WB[0].translation;
   for (std::size_t i = 0; i < joints_.size(); ++i) {
-    const Vector3 p = X_WB[i].translation - reference();
+    const Vector3 p = X_WB[i].translation - p_WO_;
     articulated_[i] = inertiaAbout(constants_.inertia[i], X_WB[i].rotation, p);
     const TreeRow& row = constants_.tree.rows[i];
     const Rotation3& R = X_WB[i].rotation;

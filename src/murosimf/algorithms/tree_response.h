@@ -18,7 +18,7 @@
 
 namespace murosimf {
 
-class TreeResponse final : public Response {
+class TreeResponse {
  public:
   /// What stays the same; must live longer.
   struct Constants {
@@ -30,7 +30,8 @@ class TreeResponse final : public Response {
   explicit TreeResponse(const Constants& constants);
   /// @param X_WB of all bodies; @param joints_yield false: joints are held, and the tree answers as one body
   void place(std::span<const Pose> X_WB, bool joints_yield);
-  void respond(std::span<const int> bodies, std::span<ResponseBlock> blocks) const override;
+  /// For n bodies writes n x n blocks: how body i answers impulses on body j stands at blocks[n i + j].
+  void respond(std::span<const int> bodies, std::span<ResponseBlock> blocks) const;
 
  private:
   /// Six numbers, as wide as whole registers: motion (w; v), force (n; f), or one component under six impulses.
@@ -52,6 +53,7 @@ class TreeResponse final : public Response {
   void respondTo(int body) const;
 
   const Constants& constants_;
+  Vector3 p_WO_;
   std::vector<Joint> joints_;            // of each row; the base's stays empty
   std::vector<SixColumns> articulated_;  // I^A of each row
   SixColumns base_inverse_{};

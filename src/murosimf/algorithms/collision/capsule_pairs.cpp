@@ -29,7 +29,9 @@ class TwoCapsules {
     CandidatePoints candidates;
     const double s = nearest();
     const double t = clamp(dot(b_.u, Vector3{0, 0, s} - b_.c), -b_.l, b_.l);
-    setNormal(Vector3{0, 0, s} - b_.at(t), out.normal);
+    const Vector3 gap = Vector3{0, 0, s} - b_.at(t);
+    out.apart = norm(gap) - reach_;
+    setNormal(gap, out.normal);
     bool single = true;
     if (sine_ < kNearlyParallel) single = !addEnds(s, out.normal, candidates);
     if (single) add(s, t, out.normal, 0, candidates);
@@ -138,6 +140,7 @@ class BoxAndCapsule {
     const double t = nearestToBox(b_, a_);
     const Vector3 p = b_.at(t), gap = excess(p, a_);
     const double distance = norm(gap);
+    out.apart = distance - radius_;
     if (distance >= radius_) return;
     if (distance <= kTouching) return findInside(out);
     CandidatePoints candidates;

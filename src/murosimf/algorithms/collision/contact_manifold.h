@@ -19,6 +19,7 @@ struct ContactPoint {
 struct ContactManifold {
   Vector3 normal{0, 0, 1};  ///< unit length, from B to A, the direction of the force on A; world
   int count = 0;            ///< 0: the shapes do not touch
+  double apart = 0;         ///< where count is 0: the shapes' distance is no less [m]; 0: nothing is known of it
   ContactPoint points[4];
 };
 

@@ -48,7 +48,10 @@ void convexAgainstConvex(const CollisionShape& a, const CollisionShape& b, const
   out.count = 0;
   const ConvexPair pair{a, b, X_AB};
   const bool hinted = squaredNorm(hint) > 0;
-  if (hinted && pair.depthAlong(hint) <= 0) return;
+  if (hinted && pair.depthAlong(hint) <= 0) {
+    out.apart = -pair.depthAlong(hint);
+    return;
+  }
   if (!overlapByPortal(pair)) return;
   LeastDepth found = leastDepth(pair, hinted ? hint : betweenCentres(pair));
   if (!(found.depth > 0)) return;

@@ -61,6 +61,7 @@ bool isTurned(const CollisionShape& a, const Pose& X_WA, const CollisionShape& b
 /// A first. out.normal from B to A.
 void detectInOrder(const CollisionShape& a, const Pose& X_WA, const CollisionShape& b, const Pose& X_WB,
                    const Vector3& last_normal, ContactManifold& out) {
+  out.apart = 0;
   const Pose X_AB{{applyTransposed(X_WA.rotation, X_WB.rotation.x), applyTransposed(X_WA.rotation, X_WB.rotation.y),
                    applyTransposed(X_WA.rotation, X_WB.rotation.z)},
                   applyInverse(X_WA, X_WB.translation)};

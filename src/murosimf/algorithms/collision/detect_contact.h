@@ -16,7 +16,8 @@
 
 namespace murosimf {
 
-/// Overwrites `out`; out.count is 0 where the shapes do not touch, and always for two planes. Sizes > 0.
+/// Overwrites `out`; out.count is 0 where the shapes do not touch, and always for two planes. out.apart is then a lower
+/// bound of their distance, where the pair's method knows one. Sizes > 0.
 /// @param last_normal  the normal of the same pair in the frame before, zero for none. Deeply overlapping boxes keep
 ///                     it (collision_pairs.h); elsewhere a search starts there, or is saved where it still separates
 ///                     the shapes; the result is the same within its accuracy. Unit length.

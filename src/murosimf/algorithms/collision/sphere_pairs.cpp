@@ -10,6 +10,7 @@ namespace {
 void finish(const NearestPoint& nearest, double radius, const Pose& X_AB, ContactManifold& out) {
   out.count = 0;
   const double depth = radius - nearest.distance;
+  out.apart = -depth;
   if (!(depth > 0)) return;
   out.normal = X_AB.rotation * nearest.normal;
   out.points[0] = {out.normal * (-0.5 * (radius + nearest.distance)), depth, 0};
@@ -23,6 +24,7 @@ Vector3 centreOfA(const Pose& X_AB) { return applyInverse(X_AB, Vector3{}); }
 void sphereAgainstSphere(const CollisionShape& a, const CollisionShape& b, const Pose& X_AB, ContactManifold& out) {
   out.count = 0;
   const double distance = norm(X_AB.translation), depth = a.half_size.x + b.half_size.x - distance;
+  out.apart = -depth;
   if (!(depth > 0)) return;
   out.normal = distance > 0 ? X_AB.translation * (-1 / distance) : Vector3{0, 0, 1};
   out.points[0] = {out.normal * (0.5 * depth - a.half_size.x), depth, 0};

@@ -47,8 +47,10 @@ std::vector<Obstacle> obstaclesOf(const World& world, ObjectId object, ContactTa
     if (!s.collides) continue;
     const ObjectId body = index(s.row) < bodies.size() ? bodies[index(s.row)] : object;
     const CollisionShape collision = collisionShapeOf(s.shape, s.hull.get());
-    obstacles.push_back({s.row, s.X_BS, s.shape, collision, boundingRadius(collision), halfThickness(collision),
-                         own_number, s.touch_sensor, table.kindOf(world.path(body), s.surface)});
+    const double reach = boundingRadius(collision);
+    obstacles.push_back({s.row, s.X_BS, s.shape, collision, reach, norm(s.X_BS.translation) + reach,
+                         halfThickness(collision), own_number, s.touch_sensor,
+                         table.kindOf(world.path(body), s.surface)});
   }
   return obstacles;
 }
@@ -110,7 +112,7 @@ ContactRobot::ContactRobot(const World& world, LinkedWorld& linked, ObjectId rob
   partner_of_row_.assign(index(rows), -1);
   memory_.resize(index(rows));
   X_WB_.resize(index(rows));
-  seen_.resize(index(rows));
+  seen_.resize(index(rows)), motions_.resize(index(rows));
   rows_.reserve(index(rows)), pushed_.reserve(index(rows));
   if (may_recoil_) readMasses(world);
 }
@@ -126,7 +128,7 @@ void ContactRobot::findReach(const World& world) {
   }
   for (const Obstacle& o : primitives()) {
     const double way = index(o.row) < rows.size() ? rows[index(o.row)] : kAnywhere;
-    reach_ = std::max(reach_, way + norm(o.X_BS.translation) + o.reach);
+    reach_ = std::max(reach_, way + o.farthest);
   }
 }
 
@@ -182,14 +184,20 @@ void ContactRobot::forgetWhatWasMoved() {
 }
 
 /// Of a body's origin at the frame's start, world axes: the way that it went in the last step tells the mean over it.
-SpatialMotion<double> ContactRobot::motionOf(int row) const {
+const SpatialMotion<double>& ContactRobot::motionOf(int row) const {
+  SeenMotion& seen = motions_[index(row)];
+  if (seen.frame == poses_of_) return seen.motion;
+  seen.frame = poses_of_;
+  if (row > 0) return seen.motion = motionFromParent(row);
+  const SpatialMotion<double> V = base_velocity_.get();
+  const Rotation3& R = bodyPose(0).rotation;
+  return seen.motion = {R * V.w, R * V.v};
+}
+
+SpatialMotion<double> ContactRobot::motionFromParent(int row) const {
   const Pose& X_WB = bodyPose(row);
-  if (row == 0) {
-    const SpatialMotion<double> V = base_velocity_.get();
-    return {X_WB.rotation * V.w, X_WB.rotation * V.v};
-  }
   const TreeRow& joint = masses_->tree.rows[index(row)];
-  const SpatialMotion<double> parent = motionOf(joint.parent);
+  const SpatialMotion<double>& parent = motionOf(joint.parent);
   const Vector3 way = X_WB.translation - bodyPose(joint.parent).translation;
   const Rotation3& R = X_WB.rotation;
   const Vector3 rate = (joint.axis == 0 ? R.x : joint.axis == 1 ? R.y : R.z) * dq_.get(row - 1);

@@ -29,6 +29,7 @@ struct Obstacle {
   Shape shape;
   CollisionShape collision;
   double reach = 0;          ///< bounding radius [m]
+  double farthest = 0;       ///< no point of it is farther from its body's origin [m]
   double thickness = 0;      ///< half of its smallest extent [m]
   std::uint16_t number = 0;  ///< among the shapes of its object, also those that do not collide
   int touch_sensor = -1;     ///< of the robot; -1: none feels it
@@ -109,7 +110,12 @@ class ContactRobot {
     long frame = -1;
     Pose X_WB;
   };
-  SpatialMotion<double> motionOf(int row) const;
+  struct SeenMotion {
+    long frame = -1;
+    SpatialMotion<double> motion;
+  };
+  const SpatialMotion<double>& motionOf(int row) const;
+  SpatialMotion<double> motionFromParent(int row) const;
   void forgetWhatWasMoved();
   void findReach(const World& world);
   void readMasses(const World& world);
@@ -140,7 +146,8 @@ class ContactRobot {
   std::vector<int> partner_of_row_, rows_, pushed_;  // pushed_: rows whose pair_force is not zero
   bool ahead_ = false;
   long poses_of_ = 0;
-  mutable std::vector<SeenPose> seen_;  // of each row, in the frame poses_of_
+  mutable std::vector<SeenPose> seen_;       // of each row, in the frame poses_of_
+  mutable std::vector<SeenMotion> motions_;  // same
   std::vector<Pose> X_WB_;
   std::vector<double> posture_;
 };

@@ -213,7 +213,7 @@ void PairPhase::addRobot(std::size_t body, int number, double reach) {
   const double far = reach + robot.reach();
   if (!robot.present() || squaredNorm(robot.nearPosition(0) - centre) > far * far) return;
   for (const Obstacle& shape : robot.shapes()) {
-    const double near = reach + shape.reach + norm(shape.X_BS.translation);
+    const double near = reach + shape.farthest;
     if (squaredNorm(robot.nearPosition(shape.row) - centre) > near * near) continue;
     if (!table_->between(moving_[body].kind, shape.kind).check) continue;
     const int partner = robot.partner(shape.row, frame_, number);

@@ -50,6 +50,7 @@ RobotPairs::RobotPairs(ContactTable& table, const std::vector<ContactRobot>& rob
   grid_.reserve(robots.size());
   discs_.reserve(robots.size());
   for (std::size_t i = 0; i < robots.size(); ++i) placed_[i].reserve(robots[i].primitives().size());
+  near_.reserve(robots.size());
   const bool nobody = std::none_of(robots.begin(), robots.end(), [](const ContactRobot& r) { return r.mayRecoil(); });
   if (nobody) return;
   most_contacts_ = kContactsPerRobot * robots.size();
@@ -79,6 +80,7 @@ void RobotPairs::find(std::vector<ContactRobot>& robots, const std::vector<Fixed
     const Vector3 p = robot.nearPosition(0);
     discs_.push_back({p.x, p.y, robot.reach() + kMargin});
   }
+  near_.beginFrame();
   for (const auto& [a, b] : grid_.find(discs_)) betweenRobots(a, b);
   for (std::size_t i = 0; i < robots.size(); ++i) {
     if (!robots[i].recoils() || !robots[i].present()) continue;
@@ -91,16 +93,12 @@ void RobotPairs::betweenRobots(int a, int b) {
   if (!robotOf(a).recoils() && !robotOf(b).recoils()) return;
   if (!robotOf(a).present() || !robotOf(b).present()) return;
   ++counts_.robots;
-  PlacedShapes &of_a = placedOf(a), &of_b = placedOf(b);
+  const PlacedShapes &of_a = placedOf(a), &of_b = placedOf(b);
   if (!of_a.box().overlaps(of_b.box())) return;
-  for (std::size_t i = 0; i < of_a.count(); ++i) {
-    BoundingBox box;
-    box.hold(of_a.centre(i), of_a.reach(i));
-    if (!box.overlaps(of_b.box())) continue;
-    const int kind = robotOf(a).shapes()[i].kind;
-    of_b.forNear(of_a.centre(i), of_a.reach(i), [&](std::size_t j) {
-      test(sideOf(a, i), sideOf(b, j), table_->between(kind, robotOf(b).shapes()[j].kind));
-    });
+  for (NearShapes::Pair& pair : near_.between(a, b, of_a, of_b)) {
+    if (pair.isApart(of_a, of_b)) continue;
+    const Side side_a = sideOf(a, index(pair.i)), side_b = sideOf(b, index(pair.j));
+    pair.note(test(side_a, side_b, table_->between(side_a.shape->kind, side_b.shape->kind)), of_a, of_b);
   }
 }
 
@@ -141,8 +139,9 @@ RobotPairs::Side RobotPairs::sideOf(int robot, std::size_t shape) const {
   return {robot, &r.shapes()[shape], r.object(), r.name(), r.bodyPose(r.shapes()[shape].row)};
 }
 
-void RobotPairs::test(const Side& a, const Side& b, const ContactTerms& terms) {
-  if (!terms.check) return;
+/// @return how far apart they are at least [m]; 0 where they touch
+double RobotPairs::test(const Side& a, const Side& b, const ContactTerms& terms) {
+  if (!terms.check) return PlacedShapes::kUnknown;
   ++counts_.tested;
   const bool swapped = b.name < a.name;
   const Side &first = swapped ? b : a, &second = swapped ? a : b;
@@ -150,14 +149,16 @@ void RobotPairs::test(const Side& a, const Side& b, const ContactTerms& terms) {
   const Vector3 last_normal = lastNormal({first.name, second.name, first.shape->number, second.shape->number, 0});
   detectContact(first.shape->collision, first.X_WB * first.shape->X_BS, second.shape->collision,
                 second.X_WB * second.shape->X_BS, manifold, last_normal);
-  if (manifold.count == 0) return;
+  if (manifold.count == 0) return manifold.apart;
   if (terms.one_point) {
     ContactPoint point = deepest(manifold);
     point.feature = 0;  // what is remembered belongs to the pair, wherever its deepest point goes
-    return addPoint(first, second, terms, point, manifold.normal, 1);
+    addPoint(first, second, terms, point, manifold.normal, 1);
+    return 0;
   }
   for (int k = 0; k < manifold.count; ++k)
     addPoint(first, second, terms, manifold.points[k], manifold.normal, manifold.count);
+  return 0;
 }
 
 /// Of any point of these two shapes; zero where they did not touch.

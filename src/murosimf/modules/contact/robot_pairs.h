@@ -4,7 +4,8 @@
 ///
 /// Two of which neither recoils have nothing to find here: kinematic robots are kept apart by blocking_phase.h.
 /// Broad phase   robots by the discs that they can reach, in a grid on the field; then their bodies by bounding
-///               spheres. Bodies of one robot where rules say that they touch, and its joints give way.
+///               spheres, and by how far they have gone since they were found apart (near_shapes.h). Bodies of one
+///               robot where rules say that they touch, and its joints give way.
 /// Narrow phase  algorithms/collision/detect_contact.h, up to four points a pair of shapes.
 /// Cost          some 10 ns a robot with nobody near; 1 us two robots that stand side by side; the narrow phase
 ///               besides.
@@ -13,7 +14,7 @@
 
 #include "murosimf/algorithms/collision/detect_contact.h"
 #include "murosimf/algorithms/neighbour_grid.h"
-#include "murosimf/modules/contact/placed_shapes.h"
+#include "murosimf/modules/contact/near_shapes.h"
 
 namespace murosimf {
 
@@ -36,7 +37,7 @@ class RobotPairs {
   /// Of the last frame.
   struct Counts {
     long robots = 0;  ///< pairs of robots near enough to look at their bodies
-    long tested = 0;  ///< pairs of shapes near enough to look at their surfaces
+    long tested = 0;  ///< pairs of shapes that may touch, so that one looked at their surfaces
     long found = 0;   ///< points
   };
   const Counts& counts() const { return counts_; }
@@ -55,7 +56,7 @@ class RobotPairs {
   ContactRobot& robotOf(int robot) { return (*robots_)[static_cast<std::size_t>(robot)]; }
   PlacedShapes& placedOf(int robot);
   Side sideOf(int robot, std::size_t shape) const;
-  void test(const Side& a, const Side& b, const ContactTerms& terms);
+  double test(const Side& a, const Side& b, const ContactTerms& terms);
   Vector3 lastNormal(const ContactKey& key) const;
   void addPoint(const Side& a, const Side& b, const ContactTerms& terms, const ContactPoint& point,
                 const Vector3& normal, int points);
@@ -64,6 +65,7 @@ class RobotPairs {
   const ContactTable* table_ = nullptr;
   std::vector<char> touches_itself_;  // of each robot
   std::vector<PlacedShapes> placed_;  // as robots
+  NearShapes near_;
   std::vector<PlaneDisc> discs_;
   NeighbourGrid grid_;
   std::size_t most_contacts_ = 0;
