@@ -27,8 +27,8 @@ class Field {
   }
   void frame() { robots_.frame(); }
   double robots() const { return static_cast<double>(robots_.count()); }
-  /// Pairs of shapes that are looked at, per robot.
-  double looks() { return static_cast<double>(robots_.simulation().pairs().counts().tested) / robots(); }
+  /// Pairs of shapes that may touch soon, per robot.
+  double near() { return static_cast<double>(robots_.simulation().pairs().counts().listed) / robots(); }
   void require() const {
     robots_.requireNumbers();
     if (robots_.lowestBase() < kStanding)
@@ -75,8 +75,8 @@ Row thousand(int lanes) {
           ""};
   row.text = fmt::format(
       "{:28} {:7} {:6.2f} times the cost of a robot among 22 ({:.0f} ns, {:.0f} ns a robot-frame); {:.2f} and {:.2f} "
-      "pairs of shapes a robot are looked at",
-      row.name, row.isa, row.ratio, row.ours, row.peer, many.looks(), few.looks());
+      "pairs of shapes a robot are near each other",
+      row.name, row.isa, row.ratio, row.ours, row.peer, many.near(), few.near());
   return row;
 }
 

@@ -148,6 +148,7 @@ nlohmann::ordered_json contactFigures(const ContactStatistics::Counts& counts) {
     return static_cast<double>(sum) / static_cast<double>(std::max(counts.frames, 1L));
   };
   return {{"robot_pairs_near_mean", mean(counts.robots)},
+          {"shape_pairs_near_mean", mean(counts.listed)},
           {"shape_pairs_tested_mean", mean(counts.tested)},
           {"points_mean", mean(counts.found)},
           {"points_most", counts.most_found},

@@ -53,7 +53,7 @@ TEST(RobotsInFlight, AreSeenOnAnEvenWayWhateverTheLengthOfTheirSteps) {
   for (const char* period : {"0.001", "0.004"}) {
     Robots one({"multibody_dynamics"}, {std::string("robots.all.motion.period=") + period});
     ContactTable table(one.simulation().world());
-    std::vector<SharedShapes> known;
+    std::vector<SharedKind> known;
     ContactRobot seen(one.simulation().world(), one.simulation().linked(), one.robot(0), table, known);
     one.put(0, {{}, {0, 0, 5}}, {2, 0, 0});
     for (int i = 0; i < 16; ++i) one.simulation().step();

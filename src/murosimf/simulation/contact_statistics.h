@@ -11,7 +11,8 @@ class ContactStatistics final : public FrameObserver {
   struct Counts {
     long frames = 0;
     long robots = 0;      ///< pairs of robots near enough to look at their bodies, in all frames
-    long tested = 0;      ///< pairs of shapes of robots looked at
+    long listed = 0;      ///< pairs of shapes of robots that might touch soon
+    long tested = 0;      ///< of them those that were looked at
     long found = 0;       ///< points at which they overlapped
     long most_found = 0;  ///< in one frame
     double deepest = 0;   ///< of them [m]
@@ -20,6 +21,7 @@ class ContactStatistics final : public FrameObserver {
     const RobotPairs::Counts& now = simulation.pairs().counts();
     ++counts_.frames;
     counts_.robots += now.robots;
+    counts_.listed += now.listed;
     counts_.tested += now.tested;
     counts_.found += now.found;
     counts_.most_found = now.found > counts_.most_found ? now.found : counts_.most_found;

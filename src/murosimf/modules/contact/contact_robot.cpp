@@ -77,21 +77,30 @@ DetailedShapes detailedShapes(const World& world, ObjectId robot, ContactTable& 
   return all;
 }
 
-SharedShapes sharedAmong(std::vector<SharedShapes>& known, DetailedShapes&& shapes) {
-  const auto same = std::find_if(known.begin(), known.end(), [&](const SharedShapes& k) { return *k == shapes; });
+std::vector<Limb> limbsOf(const World& world, ObjectId robot) {
+  std::vector<Limb> limbs;
+  const TreeTable* tree = world.findShared(robot, kTree);
+  if (tree == nullptr) return limbs;
+  for (const TreeRow& row : tree->rows)
+    limbs.push_back({row.parent, norm(row.X_PF.translation), row.kind == JointKind::kRevolute});
+  return limbs;
+}
+
+SharedKind sharedAmong(std::vector<SharedKind>& known, RobotKind&& kind) {
+  const auto same = std::find_if(known.begin(), known.end(), [&](const SharedKind& k) { return *k == kind; });
   if (same != known.end()) return *same;
-  return known.emplace_back(std::make_shared<const DetailedShapes>(std::move(shapes)));
+  return known.emplace_back(std::make_shared<const RobotKind>(std::move(kind)));
 }
 
 }  // namespace
 
 ContactRobot::ContactRobot(const World& world, LinkedWorld& linked, ObjectId robot, ContactTable& table,
-                           std::vector<SharedShapes>& known)
+                           std::vector<SharedKind>& known)
     : object_(robot),
       name_(hashName(world.path(robot))),
       path_(linked, robot),
       mass_(*world.find(robot, kMass)),
-      shapes_of_(sharedAmong(known, detailedShapes(world, robot, table))),
+      kind_(sharedAmong(known, {detailedShapes(world, robot, table), limbsOf(world, robot)})),
       may_recoil_(anyLevelHas(linked, robot, kPairForce.name, subset::kBodies)),
       detail_(linked.handle(robot, kContactDetail)),
       push_(linked.handle(robot, kPushForce, subset::kTouchSensors)),
@@ -164,7 +173,7 @@ void ContactRobot::begin(long frame, double dt) {
   for (const int row : rows_) partner_of_row_[index(row)] = -1;
   rows_.clear();
   frame_ = frame, dt_ = dt;
-  shapes_ = detail_.valid() ? &(*shapes_of_)[static_cast<std::size_t>(detail_.get())] : &kNoShapes;
+  shapes_ = detail_.valid() ? &kind_->shapes[static_cast<std::size_t>(detail_.get())] : &kNoShapes;
   begin_ = path_.contactShareAt(frame), end_ = path_.contactShareAfter(frame);
   // A motion that moves by the velocity at its step's end has gone half a step farther than that velocity counts.
   // Longer steps are shown frame by frame: their places between are not the integrator's.
@@ -177,7 +186,8 @@ void ContactRobot::begin(long frame, double dt) {
 /// What it did before a hand put it elsewhere, or on another level of detail, tells nothing of what acts on it now.
 void ContactRobot::forgetWhatWasMoved() {
   const double placements = shown_.valid() ? shown_.get() : 0;
-  if (placements == placements_ && resident_->level == level_) return;
+  new_here_ = placements != placements_ || resident_->level != level_;
+  if (!new_here_) return;
   placements_ = placements;
   level_ = resident_->level;
   for (Memory& memory : memory_) memory.frame = -2;

@@ -36,10 +36,21 @@ struct Obstacle {
   int kind = 0;              ///< in the table of contacts
   friend bool operator==(const Obstacle&, const Obstacle&) = default;
 };
-/// A robot's, of each ContactDetail. Robots of one kind share them: a thousand of their own would not stay in the
-/// cache.
 using DetailedShapes = std::array<std::vector<Obstacle>, kContactDetails>;
-using SharedShapes = std::shared_ptr<const DetailedShapes>;
+/// How a body hangs on its parent.
+struct Limb {
+  int parent = -1;
+  double length = 0;  ///< from the parent's origin to the joint [m]
+  bool turns = true;  ///< revolute; else prismatic
+  friend bool operator==(const Limb&, const Limb&) = default;
+};
+/// What robots of one kind share: a thousand of their own would not stay in the cache.
+struct RobotKind {
+  DetailedShapes shapes;    ///< of each ContactDetail
+  std::vector<Limb> limbs;  ///< of each body; none where the tree is not known
+  friend bool operator==(const RobotKind&, const RobotKind&) = default;
+};
+using SharedKind = std::shared_ptr<const RobotKind>;
 /// Those that collide. They refer to the world's hulls.
 std::vector<Obstacle> obstaclesOf(const World& world, ObjectId object, ContactTable& table);
 
@@ -53,15 +64,16 @@ struct FixedObstacle {
 
 class ContactRobot {
  public:
-  /// @param known  shapes of the robots before it; its own are taken from there, or added
+  /// @param known  kinds of the robots before it; its own is taken from there, or added
   ContactRobot(const World& world, LinkedWorld& linked, ObjectId robot, ContactTable& table,
-               std::vector<SharedShapes>& known);
+               std::vector<SharedKind>& known);
 
   ObjectId object() const { return object_; }
   std::uint64_t name() const { return name_; }
   /// Those with which it touches in this frame, and all that it has.
   const std::vector<Obstacle>& shapes() const { return *shapes_; }
-  const std::vector<Obstacle>& primitives() const { return shapes_of_->back(); }
+  const std::vector<Obstacle>& primitives() const { return kind_->shapes.back(); }
+  std::span<const Limb> limbs() const { return kind_->limbs; }
   /// How far its shapes can get from its base, its chains stretched out, whatever its joints do [m].
   double reach() const { return reach_; }
   /// Whether it recoils at any of its levels of detail, and at the present one.
@@ -73,6 +85,8 @@ class ContactRobot {
   bool ignores(int row, int other) const;
   /// Whether its bodies have places: those of motion that obeys contacts have none before its first step.
   bool present() const { return !shown_.valid() || shown_.get() >= 0; }
+  /// Whether this frame is the first to show it where a hand has put it, or at another level of detail.
+  bool isNewHere() const { return new_here_; }
   int touchSensorOf(std::uint16_t shape) const;
 
   // In this order, every frame:
@@ -81,6 +95,9 @@ class ContactRobot {
   Vector3 basePosition() const { return bodyPose(0).translation; }
   /// Where a body will be at the frame's end.
   Vector3 nearPosition(int row) const { return path_.position(row, end_); }
+  /// Where a body will be at the end of its motion's step, and its joints.
+  Pose stepEnd(int row) const { return path_.end(row); }
+  LaneValues<double> jointPositions() const { return q_.values(); }
   /// Where a body is shown at the frame's start: half a step from bodyPose() at most, and cheaper.
   Pose shownPose(int row) const { return path_.pose(row, begin_); }
   /// Where a body is at the frame's start. Motion by implicit Euler shows positions half a step ahead of its
@@ -124,7 +141,7 @@ class ContactRobot {
   std::uint64_t name_;
   BodyPath path_;
   double mass_ = 0, reach_ = 0;
-  SharedShapes shapes_of_;
+  SharedKind kind_;
   const std::vector<Obstacle>* shapes_ = &kNoShapes;  // of the frame
   std::vector<std::pair<int, int>> ignored_;
   bool may_recoil_ = false;
@@ -144,7 +161,7 @@ class ContactRobot {
   long frame_ = 0;
   double dt_ = 0, begin_ = 0, end_ = 0;
   std::vector<int> partner_of_row_, rows_, pushed_;  // pushed_: rows whose pair_force is not zero
-  bool ahead_ = false;
+  bool ahead_ = false, new_here_ = true;
   long poses_of_ = 0;
   mutable std::vector<SeenPose> seen_;       // of each row, in the frame poses_of_
   mutable std::vector<SeenMotion> motions_;  // same

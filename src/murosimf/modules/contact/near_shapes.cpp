@@ -25,36 +25,40 @@ const NearShapes::List* NearShapes::lastOf(int a, int b) {
   return known ? &last_.lists[next_] : nullptr;
 }
 
-std::span<NearShapes::Pair> NearShapes::between(int a, int b, const PlacedShapes& of_a, const PlacedShapes& of_b) {
+bool NearShapes::keep(int a, int b, const ShapeTravel& travel_a, const ShapeTravel& travel_b) {
   const List* last = lastOf(a, b);
-  List list{a, b, 0, now_.pairs.size(), 0};
-  if (last != nullptr && of_a.longestTravel().now + of_b.longestTravel().now < last->until) {
-    const auto first = last_.pairs.begin() + static_cast<std::ptrdiff_t>(last->first);
-    now_.pairs.insert(now_.pairs.end(), first, first + static_cast<std::ptrdiff_t>(last->count));
-    list.until = last->until;
-  } else {
-    list.until = listAnew(of_a, of_b);
-  }
-  list.count = now_.pairs.size() - list.first;
+  if (last == nullptr || !(travel_a.longest().now + travel_b.longest().now < last->until)) return false;
+  List list = *last;
+  list.first = now_.pairs.size();
+  const auto first = last_.pairs.begin() + static_cast<std::ptrdiff_t>(last->first);
+  now_.pairs.insert(now_.pairs.end(), first, first + static_cast<std::ptrdiff_t>(last->count));
   now_.lists.push_back(list);
-  return std::span(now_.pairs).subspan(list.first);
+  return true;
 }
 
-/// @return the sum of longest travels up to which the list is right
-double NearShapes::listAnew(const PlacedShapes& of_a, const PlacedShapes& of_b) {
-  for (std::size_t i = 0; i < of_a.count(); ++i) {
-    const double reach = of_a.reach(i) + kMargin;
+void NearShapes::list(int a, int b, const Robot& of_a, const Robot& of_b) {
+  List list{a, b, 0, now_.pairs.size(), 0};
+  const double apart = of_a.placed.box().distance(of_b.placed.box());
+  if (apart < kMargin) listNear(of_a, of_b);
+  list.until = of_a.travel.longest().before + of_b.travel.longest().before + max(apart, kMargin) - kSlack;
+  list.count = now_.pairs.size() - list.first;
+  now_.lists.push_back(list);
+}
+
+void NearShapes::listNear(const Robot& of_a, const Robot& of_b) {
+  const PlacedShapes &a = of_a.placed, &b = of_b.placed;
+  for (std::size_t i = 0; i < a.count(); ++i) {
+    const double reach = a.reach(i) + kMargin;
     BoundingBox box;
-    box.hold(of_a.centre(i), reach);
-    if (!box.overlaps(of_b.box())) continue;
-    of_b.forNear(of_a.centre(i), reach, [&](std::size_t j) {
+    box.hold(a.centre(i), reach);
+    if (!box.overlaps(b.box())) continue;
+    b.forNear(a.centre(i), reach, [&](std::size_t j) {
       Pair& pair = now_.pairs.emplace_back();
       pair.i = static_cast<int>(i), pair.j = static_cast<int>(j);
-      const double apart = norm(of_a.centre(i) - of_b.centre(j)) - of_a.reach(i) - of_b.reach(j);
-      pair.note(max(apart, 0.0), of_a, of_b);
+      const double apart = norm(a.centre(i) - b.centre(j)) - a.reach(i) - b.reach(j);
+      pair.note(max(apart, 0.0), of_a.travel, of_b.travel);
     });
   }
-  return of_a.longestTravel().before + of_b.longestTravel().before + kMargin - kSlack;
 }
 
 }  // namespace murosimf

@@ -2,8 +2,9 @@
 
 /// @file Which shapes of two robots may touch soon: lists that stay right while the robots hardly move [Verlet 1967].
 ///
-/// Two shapes that were a distance g apart cannot touch before their travels (placed_shapes.h) have grown by g together.
-/// Those farther apart than kMargin are not listed at all, until the robots' longest travels have grown by kMargin.
+/// Two shapes that were a distance g apart cannot touch before their travels (shape_travel.h) have grown by g together.
+/// Those farther apart than kMargin are not listed at all, until the robots' longest travels have grown by kMargin; of
+/// robots whose boxes are apart by more than that there is nothing to list until these may meet.
 /// What is skipped cannot touch: contacts are the same without these lists, which are no state therefore.
 /// Cost     some 5 ns a listed pair of shapes that cannot have met yet; about 1 us to list those of two robots anew.
 
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "murosimf/modules/contact/placed_shapes.h"
+#include "murosimf/modules/contact/shape_travel.h"
 
 namespace murosimf {
 
@@ -20,24 +22,30 @@ class NearShapes {
   struct Pair {
     int i = 0, j = 0;
     double until = 0;
-    bool isApart(const PlacedShapes& a, const PlacedShapes& b) const {
-      return a.travel(at(i)).now + b.travel(at(j)).now < until;
-    }
+    bool isApart(const ShapeTravel& a, const ShapeTravel& b) const { return a.of(at(i)).now + b.of(at(j)).now < until; }
     /// They have been found a distance apart in this frame, or to touch: 0.
-    void note(double apart, const PlacedShapes& a, const PlacedShapes& b) {
-      until = a.travel(at(i)).before + b.travel(at(j)).before + apart - kSlack;
+    void note(double apart, const ShapeTravel& a, const ShapeTravel& b) {
+      until = a.of(at(i)).before + b.of(at(j)).before + apart - kSlack;
     }
 
    private:
     static std::size_t at(int shape) { return static_cast<std::size_t>(shape); }
   };
+  /// One robot at the frame's start.
+  struct Robot {
+    const PlacedShapes& placed;
+    const ShapeTravel& travel;
+  };
 
   void reserve(std::size_t robots);
-  /// Before the frame's first call of between().
+  /// Once a frame, before all others.
   void beginFrame();
-  /// Pairs of two robots, both placed in this frame, in the order of i, then j. Robots must be asked for in ascending
-  /// order of (a, b). Valid until the next call.
-  std::span<Pair> between(int a, int b, const PlacedShapes& of_a, const PlacedShapes& of_b);
+  /// Takes over the list of two robots from the last frame. Robots must be asked for in ascending order of (a, b).
+  /// @return false where there is none that is still right: make one
+  bool keep(int a, int b, const ShapeTravel& travel_a, const ShapeTravel& travel_b);
+  void list(int a, int b, const Robot& of_a, const Robot& of_b);
+  /// Of the two robots that were named last, in the order of i, then j. Valid until the next call.
+  std::span<Pair> pairs() { return std::span(now_.pairs).subspan(now_.lists.back().first); }
 
  private:
   static constexpr double kMargin = 0.02;  // [m]
@@ -53,7 +61,7 @@ class NearShapes {
     std::vector<Pair> pairs;
   };
   const List* lastOf(int a, int b);
-  double listAnew(const PlacedShapes& of_a, const PlacedShapes& of_b);
+  void listNear(const Robot& of_a, const Robot& of_b);
 
   Lists now_, last_;
   std::size_t next_ = 0;  // in last_.lists

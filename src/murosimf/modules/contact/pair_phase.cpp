@@ -61,8 +61,8 @@ void PairPhase::addAll(const World& world, LinkedWorld& linked, const std::vecto
                        mass, *world.find(id, kInertiaFactor) * mass * radius * radius, radius, hashName(world.path(id)),
                        table_->kindOf(world.path(id), world.findShared(id, kShapes)->front().surface)});
   }
-  std::vector<SharedShapes> shapes;
-  for (const ObjectId id : robots) robots_.emplace_back(world, linked, id, *table_, shapes);
+  std::vector<SharedKind> kinds;
+  for (const ObjectId id : robots) robots_.emplace_back(world, linked, id, *table_, kinds);
   for (const ObjectId id : fixed) {
     for (const Obstacle& obstacle : obstaclesOf(world, id, *table_))
       fixed_.push_back({id, hashName(world.path(id)), *world.find(id, kFixedPose), obstacle});

@@ -22,30 +22,40 @@ struct BoundingBox {
     return low.x <= b.high.x && b.low.x <= high.x && low.y <= b.high.y && b.low.y <= high.y && low.z <= b.high.z &&
            b.low.z <= high.z;
   }
+  /// Along the axis on which they are farthest apart [m]; negative where they overlap.
+  double distance(const BoundingBox& b) const {
+    double apart = -kNowhere;
+    for (int k = 0; k < 3; ++k) apart = max(apart, max(low[k] - b.high[k], b.low[k] - high[k]));
+    return apart;
+  }
 
  private:
   static constexpr double kNowhere = std::numeric_limits<double>::infinity();
 };
 
-/// How far something can have gone: a sum over frames that never falls [m].
-struct Travel {
-  double now = 0;
-  double before = 0;  ///< in the frame before: bodies are halfway between two shown poses at least
-};
-
 /// Bounding spheres of its shapes, as lists of numbers: eight are looked at together.
-/// Travel of a shape   the sum over frames of  sqrt(2 (|dp|^2 + |dR|^2 e^2)) >= |dp| + |dR| e,  which no point of it
-///                     exceeds: p, R pose of its body, |dR| Frobenius norm, e Obstacle::farthest. Frames in which the
-///                     robot was not placed count kUnknown.
 class PlacedShapes {
  public:
   static constexpr std::size_t kTogether = 8;
-  static constexpr double kUnknown = 100;  // [m]
 
-  void reserve(std::size_t shapes);
+  void reserve(std::size_t shapes) { spheres_.reserve(shapes / kTogether + 1); }
   /// At the start of the frame `now`.
-  void place(const ContactRobot& robot, long now);
-
+  void place(const ContactRobot& robot, long now) {
+    if (frame_ == now) return;
+    frame_ = now;
+    count_ = robot.shapes().size();
+    spheres_.assign((count_ + kTogether - 1) / kTogether, {});
+    box_ = {};
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Obstacle& shape = robot.shapes()[i];
+      const Vector3 centre = robot.shownPose(shape.row) * shape.X_BS.translation;
+      const double reach = shape.reach + kHalfStep;
+      Eight& eight = spheres_[i / kTogether];
+      const std::size_t k = i % kTogether;
+      eight.x[k] = centre.x, eight.y[k] = centre.y, eight.z[k] = centre.z, eight.reach[k] = reach;
+      box_.hold(centre, reach);
+    }
+  }
   std::size_t count() const { return count_; }
   Vector3 centre(std::size_t i) const {
     const Eight& eight = spheres_[i / kTogether];
@@ -54,10 +64,6 @@ class PlacedShapes {
   }
   double reach(std::size_t i) const { return spheres_[i / kTogether].reach[i % kTogether]; }
   const BoundingBox& box() const { return box_; }
-  const Travel& travel(std::size_t i) const { return travels_[i]; }
-  /// No shape of it has gone farther.
-  const Travel& longestTravel() const { return longest_; }
-
   /// Calls visit(i) for each shape whose sphere meets the one about a centre, in their order, from `first` on.
   template <class Visit>
   void forNear(const Vector3& centre, double reach, Visit&& visit, std::size_t first = 0) const {
@@ -81,15 +87,9 @@ class PlacedShapes {
   struct Eight {
     double x[kTogether] = {}, y[kTogether] = {}, z[kTogether] = {}, reach[kTogether] = {};
   };
-  void put(std::size_t i, const Obstacle& shape, const Pose& X_WB);
-
-  long frame_ = -2;
-  const std::vector<Obstacle>* shapes_ = nullptr;  // those that it had then
+  long frame_ = -1;
   std::size_t count_ = 0;
   std::vector<Eight> spheres_;
-  std::vector<Pose> poses_;  // of their bodies
-  std::vector<Travel> travels_;
-  Travel longest_;
   BoundingBox box_;
 };
 

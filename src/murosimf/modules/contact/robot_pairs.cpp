@@ -46,10 +46,13 @@ bool agreeWithin(ContactTable& table, const std::vector<int>& kinds) {
 
 RobotPairs::RobotPairs(ContactTable& table, const std::vector<ContactRobot>& robots,
                        const std::vector<FixedObstacle>& fixed)
-    : table_(&table), placed_(robots.size()) {
+    : table_(&table), placed_(robots.size()), travels_(robots.size()) {
   grid_.reserve(robots.size());
   discs_.reserve(robots.size());
-  for (std::size_t i = 0; i < robots.size(); ++i) placed_[i].reserve(robots[i].primitives().size());
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    placed_[i].reserve(robots[i].primitives().size());
+    travels_[i].reserve(robots[i]);
+  }
   near_.reserve(robots.size());
   const bool nobody = std::none_of(robots.begin(), robots.end(), [](const ContactRobot& r) { return r.mayRecoil(); });
   if (nobody) return;
@@ -93,12 +96,13 @@ void RobotPairs::betweenRobots(int a, int b) {
   if (!robotOf(a).recoils() && !robotOf(b).recoils()) return;
   if (!robotOf(a).present() || !robotOf(b).present()) return;
   ++counts_.robots;
-  const PlacedShapes &of_a = placedOf(a), &of_b = placedOf(b);
-  if (!of_a.box().overlaps(of_b.box())) return;
-  for (NearShapes::Pair& pair : near_.between(a, b, of_a, of_b)) {
-    if (pair.isApart(of_a, of_b)) continue;
+  const ShapeTravel &travel_a = travelOf(a), &travel_b = travelOf(b);
+  if (!near_.keep(a, b, travel_a, travel_b)) near_.list(a, b, {placedOf(a), travel_a}, {placedOf(b), travel_b});
+  counts_.listed += static_cast<long>(near_.pairs().size());
+  for (NearShapes::Pair& pair : near_.pairs()) {
+    if (pair.isApart(travel_a, travel_b)) continue;
     const Side side_a = sideOf(a, index(pair.i)), side_b = sideOf(b, index(pair.j));
-    pair.note(test(side_a, side_b, table_->between(side_a.shape->kind, side_b.shape->kind)), of_a, of_b);
+    pair.note(test(side_a, side_b, table_->between(side_a.shape->kind, side_b.shape->kind)), travel_a, travel_b);
   }
 }
 
@@ -128,7 +132,13 @@ void RobotPairs::withItself(int robot) {
   }
 }
 
-PlacedShapes& RobotPairs::placedOf(int robot) {
+const ShapeTravel& RobotPairs::travelOf(int robot) {
+  ShapeTravel& travel = travels_[index(robot)];
+  travel.follow(robotOf(robot), frame_number_);
+  return travel;
+}
+
+const PlacedShapes& RobotPairs::placedOf(int robot) {
   PlacedShapes& placed = placed_[index(robot)];
   placed.place(robotOf(robot), frame_number_);
   return placed;
@@ -141,7 +151,7 @@ RobotPairs::Side RobotPairs::sideOf(int robot, std::size_t shape) const {
 
 /// @return how far apart they are at least [m]; 0 where they touch
 double RobotPairs::test(const Side& a, const Side& b, const ContactTerms& terms) {
-  if (!terms.check) return PlacedShapes::kUnknown;
+  if (!terms.check) return ShapeTravel::kUnknown;
   ++counts_.tested;
   const bool swapped = b.name < a.name;
   const Side &first = swapped ? b : a, &second = swapped ? a : b;

@@ -37,6 +37,7 @@ class RobotPairs {
   /// Of the last frame.
   struct Counts {
     long robots = 0;  ///< pairs of robots near enough to look at their bodies
+    long listed = 0;  ///< pairs of shapes that may touch soon
     long tested = 0;  ///< pairs of shapes that may touch, so that one looked at their surfaces
     long found = 0;   ///< points
   };
@@ -54,7 +55,8 @@ class RobotPairs {
   void withFixed(int robot);
   void withItself(int robot);
   ContactRobot& robotOf(int robot) { return (*robots_)[static_cast<std::size_t>(robot)]; }
-  PlacedShapes& placedOf(int robot);
+  const PlacedShapes& placedOf(int robot);
+  const ShapeTravel& travelOf(int robot);
   Side sideOf(int robot, std::size_t shape) const;
   double test(const Side& a, const Side& b, const ContactTerms& terms);
   Vector3 lastNormal(const ContactKey& key) const;
@@ -65,6 +67,7 @@ class RobotPairs {
   const ContactTable* table_ = nullptr;
   std::vector<char> touches_itself_;  // of each robot
   std::vector<PlacedShapes> placed_;  // as robots
+  std::vector<ShapeTravel> travels_;  // same
   NearShapes near_;
   std::vector<PlaneDisc> discs_;
   NeighbourGrid grid_;
