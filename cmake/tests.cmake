@@ -2,7 +2,7 @@
 # those below), tests/controllers with the control software and with algorithms/ (its ray caster draws pictures for the
 # vision; the control software itself sees neither), every other folder (tests/game, tests/apps, ...) with everything.
 # tests/modules and tests/simulation move the robots of robots/ by the reference gait, so they see scene/ and the control
-# software too; so does tests/peers, which compares with other simulators and is left out where these are missing
+# software too; so does tests/render, which is left out with the window (cmake/libraries.cmake), and tests/peers, which compares with other simulators and is left out where these are missing
 # (cmake/peers.cmake). Files *_v4.cpp are compiled for AVX-512 and must include nothing but math/ and plain declarations.
 # Files *_slow.cpp make test_<folder>_slow, labelled `slow`: `make check-all` runs them, `make test` does not. Of these,
 # fcl_*.cpp ask the library FCL and are left out where it is missing (cmake/peers.cmake). Tests run in the source tree's
@@ -24,6 +24,8 @@ function(murosimf_test name folder)
     target_link_libraries(${name} PRIVATE murosimf_controllers murosimf_algorithms)
   elseif(folder STREQUAL "modules" OR folder STREQUAL "simulation")
     target_link_libraries(${name} PRIVATE murosimf_scene murosimf_controllers)
+  elseif(folder STREQUAL "render")
+    target_link_libraries(${name} PRIVATE murosimf_gl murosimf_murosimf murosimf_controllers)
   elseif(TARGET murosimf_${folder})
     target_link_libraries(${name} PRIVATE murosimf_${folder})
   else()
@@ -40,7 +42,8 @@ endfunction()
 
 file(GLOB folders CONFIGURE_DEPENDS LIST_DIRECTORIES true RELATIVE "${PROJECT_SOURCE_DIR}/tests" "${PROJECT_SOURCE_DIR}/tests/*")
 foreach(folder IN LISTS folders)
-  if(NOT IS_DIRECTORY "${PROJECT_SOURCE_DIR}/tests/${folder}" OR (folder STREQUAL "peers" AND NOT TARGET murosimf_peers))
+  if(NOT IS_DIRECTORY "${PROJECT_SOURCE_DIR}/tests/${folder}" OR (folder STREQUAL "peers" AND NOT TARGET murosimf_peers)
+     OR (folder STREQUAL "render" AND NOT MUROSIMF_GL))
     continue()
   endif()
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/${folder}/*.cpp")
