@@ -13,13 +13,19 @@ endif()
 target_include_directories(murosimf_controllers ${visible} "${PROJECT_SOURCE_DIR}/controllers")
 target_link_libraries(murosimf_controllers ${visible} murosimf_client murosimf_math)
 
+# How a scenario becomes a game with its referee: what all programs share.
+file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/apps/game/*.cpp")
+add_library(murosimf_game STATIC ${sources})
+murosimf_flags(murosimf_game)
+target_include_directories(murosimf_game PUBLIC "${PROJECT_SOURCE_DIR}/apps")
+target_link_libraries(murosimf_game PUBLIC murosimf_murosimf murosimf_controllers)
+
 file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/apps/murosimf/*.cpp")
 if(sources)
   add_executable(murosimf_app ${sources})
   murosimf_flags(murosimf_app)
-  target_include_directories(murosimf_app PRIVATE "${PROJECT_SOURCE_DIR}/apps")
   target_compile_definitions(murosimf_app PRIVATE "MUROSIMF_VERSION=\"${PROJECT_VERSION}\"")
-  target_link_libraries(murosimf_app PRIVATE murosimf_murosimf murosimf_controllers CLI11::CLI11 spdlog::spdlog Threads::Threads)
+  target_link_libraries(murosimf_app PRIVATE murosimf_game CLI11::CLI11 spdlog::spdlog Threads::Threads)
   set_target_properties(murosimf_app PROPERTIES OUTPUT_NAME murosimf RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}")
 endif()
 

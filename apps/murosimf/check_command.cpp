@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "murosimf/commands.h"
-#include "murosimf/game.h"
+#include "game/game.h"
 #include "murosimf/linking/schedule.h"
 #include "murosimf/modules/all_modules.h"
 #include "murosimf/robot/urdf_reader.h"

@@ -10,11 +10,6 @@
 
 namespace murosimf {
 
-void HashLog::afterFrame(Simulation& simulation) {
-  const long per_second = std::lround(1.0 / simulation.frameLength());
-  if (simulation.frame() % per_second == 0) hashes_.push_back(simulation.stateHash());
-}
-
 std::string hexadecimal(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
 namespace {

@@ -5,21 +5,11 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "game/hash_log.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/simulation/simulation.h"
 
 namespace murosimf {
-
-/// Hash of the state once a simulated second, for comparing runs.
-class HashLog final : public FrameObserver {
- public:
-  void afterFrame(Simulation& simulation) override;
-  const std::vector<std::uint64_t>& hashes() const { return hashes_; }
-  void archive(StateArchive& archive) override { archive(hashes_); }
-
- private:
-  std::vector<std::uint64_t> hashes_;
-};
 
 /// Sixteen hexadecimal digits.
 std::string hexadecimal(std::uint64_t hash);

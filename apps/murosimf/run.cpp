@@ -7,7 +7,6 @@
 
 #include "murosimf/frozen_robots.h"
 #include "murosimf/game_report.h"
-#include "murosimf/match_setup.h"
 #include "murosimf/scene/scenario_reader.h"
 #include "murosimf/simulation/checkpoint.h"
 #include "murosimf/simulation/live_line.h"
@@ -59,25 +58,7 @@ std::filesystem::path Run::output(const std::string& file) const {
 }
 
 void Run::addObservers() {
-  ControlLoop& control = *simulation_->control();
-  const MatchSettings match = matchSettings(scene_, simulation_->world());
-  if (*scene_.referee.enabled) {
-    referee_ = std::make_unique<Referee>(match, *simulation_);
-    simulation_->observe(referee_.get());
-    percepts_ = std::make_unique<PerceptStatistics>(match, *simulation_);
-    control.observe(percepts_.get());
-    simulation_->observe(percepts_.get());
-    match_ = std::make_unique<MatchStatistics>(*referee_, *simulation_, percepts_.get());
-    simulation_->observe(match_.get());
-  }
-  keeper_ = std::make_unique<PerceptKeeper>(control);
-  control.observe(keeper_.get());
-  exchanges_ = std::make_unique<ExchangeStatistics>(*simulation_);
-  simulation_->observe(exchanges_.get());
-  integration_ = std::make_unique<IntegrationStatistics>(*simulation_);
-  simulation_->observe(integration_.get());
-  simulation_->observe(&contacts_);
-  simulation_->observe(&hashes_);
+  watch_ = std::make_unique<GameObservers>(scene_, *simulation_);
   const std::string record = chosenFile(arguments_.record, *scene_.output.record);
   if (!record.empty()) {
     recorder_ = std::make_unique<Recorder>(output(record), *simulation_, scene_.file.string(), *scene_.simulation.seed);
@@ -91,28 +72,10 @@ void Run::openFilm() {
   if (video.empty()) return;
   FilmSettings settings;
   settings.file = output(video);
-  settings.caption = [this](double time) {
-    return referee_ == nullptr ? fmt::format("T {:.2f}", time)
-                               : gameCaption(time, referee_->score(Team::kRed), referee_->score(Team::kBlue));
-  };
-  settings.tag_text = [this](int robot) { return tagOf(robot); };
+  settings.caption = [this](double time) { return watch_->caption(time); };
+  settings.tag_text = [this](int robot) { return watch_->tagOf(robot); };
   film_ = std::make_unique<Film>(*simulation_, std::move(settings));
   simulation_->observe(film_.get());
-}
-
-/// What a robot is at, and how hard its motion is to integrate where its integrator chooses its steps.
-std::string Run::tagOf(int robot) const {
-  if (simulation_->guard().frozen(static_cast<std::size_t>(robot))) return "frozen";
-  const std::string activity(keeper_->activity(robot));
-  const int substeps = integration_->substeps(robot);
-  if (substeps == 0) return activity;
-  return fmt::format("{} {} steps, error {:.0e}", activity, substeps, integration_->error(robot));
-}
-
-std::string Run::scoreText() const {
-  return referee_ == nullptr
-             ? ""
-             : fmt::format("red {} : {} blue", referee_->score(Team::kRed), referee_->score(Team::kBlue));
 }
 
 void Run::step() {
@@ -136,7 +99,7 @@ void Run::play() {
     if (simulation_->frame() % 10 != 0) continue;
     const double wall = wallClock() - start;
     if (line.isDue(simulation_->time(), wall)) {
-      line.update(simulation_->time(), wall, simulation_->stages(), scoreText());
+      line.update(simulation_->time(), wall, simulation_->stages(), watch_->scoreText());
     }
   }
   simulation_->control()->finish();
@@ -145,13 +108,13 @@ void Run::play() {
 
 nlohmann::ordered_json Run::report() {
   const double simulated = simulation_->time() - start_time_;
-  nlohmann::ordered_json report = basicReport(scene_, *simulation_, hashes_, simulated, wall_seconds_);
+  nlohmann::ordered_json report = basicReport(scene_, *simulation_, watch_->hashes(), simulated, wall_seconds_);
   if (pacer_ != nullptr) report["pace"] = paceFigures(pacer_->report());
-  if (referee_ != nullptr) addMatch(report, *referee_, *match_);
-  if (percepts_ != nullptr) addPercepts(report, *percepts_, *simulation_);
-  addExchanges(report, scene_, *exchanges_, *simulation_);
-  addIntegration(report, *integration_, *simulation_);
-  report["robot_contacts"] = contactFigures(contacts_.counts());
+  if (watch_->referee() != nullptr) addMatch(report, *watch_->referee(), *watch_->match());
+  if (watch_->percepts() != nullptr) addPercepts(report, *watch_->percepts(), *simulation_);
+  addExchanges(report, scene_, watch_->exchanges(), *simulation_);
+  addIntegration(report, watch_->integration(), *simulation_);
+  report["robot_contacts"] = contactFigures(watch_->contacts().counts());
   addFrozenRobots(report, *simulation_);
   return report;
 }
@@ -175,17 +138,14 @@ std::string Run::finish() {
     saveCheckpoint(arguments_.checkpoint, *simulation_, scene_.file.string());
   }
   if (*scene_.output.pictures) {
-    const std::string caption = referee_ == nullptr ? fmt::format("T {:.2f}", simulation_->time())
-                                                    : gameCaption(simulation_->time(), referee_->score(Team::kRed),
-                                                                  referee_->score(Team::kBlue));
-    writeOverview(directory_ / "overview.png", *simulation_, caption);
-    writeCameraPictures(directory_, *simulation_, *keeper_);
+    writeOverview(directory_ / "overview.png", *simulation_, watch_->caption(simulation_->time()));
+    writeCameraPictures(directory_, *simulation_, watch_->keeper());
   }
   const nlohmann::ordered_json written = report();
   writeReport(written, (directory_ / "report.json").string());
   return text + fmt::format("{:.1f} s simulated in {:.1f} s: {:.2f} times real time. {}\nResults: {}\n",
                             simulation_->time() - start_time_, wall_seconds_, written["real_time_factor"].get<double>(),
-                            scoreText(), (directory_ / "report.json").string());
+                            watch_->scoreText(), (directory_ / "report.json").string());
 }
 
 int runScenario(const RunArguments& arguments) {

@@ -5,19 +5,13 @@
 #include <filesystem>
 #include <memory>
 
+#include "game/game.h"
+#include "game/game_observers.h"
 #include "murosimf/commands.h"
-#include "murosimf/game.h"
 #include "murosimf/report.h"
-#include "murosimf/simulation/contact_statistics.h"
-#include "murosimf/simulation/exchange_statistics.h"
 #include "murosimf/simulation/film.h"
-#include "murosimf/simulation/integration_statistics.h"
 #include "murosimf/simulation/pacer.h"
-#include "murosimf/simulation/percept_overlay.h"
 #include "murosimf/simulation/recorder.h"
-#include "murosimf/soccer/match_statistics.h"
-#include "murosimf/soccer/percept_statistics.h"
-#include "murosimf/soccer/referee.h"
 
 namespace murosimf {
 
@@ -41,8 +35,6 @@ class Run {
   void addObservers();
   void openFilm();
   void step();
-  std::string tagOf(int robot) const;
-  std::string scoreText() const;
   nlohmann::ordered_json report();
   std::filesystem::path output(const std::string& file) const;
 
@@ -50,14 +42,7 @@ class Run {
   const Scene& scene_;
   std::unique_ptr<Simulation> simulation_;
   std::filesystem::path directory_;
-  HashLog hashes_;
-  std::unique_ptr<Referee> referee_;
-  std::unique_ptr<MatchStatistics> match_;
-  std::unique_ptr<PerceptStatistics> percepts_;
-  std::unique_ptr<PerceptKeeper> keeper_;
-  std::unique_ptr<ExchangeStatistics> exchanges_;
-  std::unique_ptr<IntegrationStatistics> integration_;
-  ContactStatistics contacts_;
+  std::unique_ptr<GameObservers> watch_;
   std::unique_ptr<Recorder> recorder_;
   std::unique_ptr<Film> film_;
   std::unique_ptr<Pacer> pacer_;

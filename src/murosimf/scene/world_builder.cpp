@@ -139,6 +139,7 @@ std::unique_ptr<Simulation> WorldBuilder::link(const ModuleRegistry& registry, c
     chooseProgram(outfit, programs);
   }
   attachFrame(linker, participants_);
+  for (Attachment& attachment : attachments_) linker.attach(std::move(attachment));
   // Where a choice is wrong already, the linker would only complain of what is missing then.
   std::unique_ptr<LinkedWorld> linked = chosen ? linker.link(diagnostics_) : nullptr;
   if (diagnostics_.hasErrors() || linked == nullptr) return nullptr;

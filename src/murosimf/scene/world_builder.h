@@ -35,6 +35,8 @@ class WorldBuilder {
   World& world() { return *world_; }
   const Participants& participants() const { return participants_; }
   void addFixed(const std::vector<ObjectId>& objects);
+  /// Somebody else who reads properties of robots: a window.
+  void attach(Attachment attachment) { attachments_.push_back(std::move(attachment)); }
   /// Links modules to robots, gives them cameras and control software, and asks for the initial placements.
   std::unique_ptr<Simulation> link(const ModuleRegistry& registry, const ControlPrograms& programs);
   /// What control software is told about a robot.
@@ -73,6 +75,7 @@ class WorldBuilder {
   Participants participants_;
   std::map<std::string, std::unique_ptr<RobotBlueprint>> blueprints_;
   std::vector<Outfit> outfits_;
+  std::vector<Attachment> attachments_;
   std::vector<std::pair<CameraModel, std::shared_ptr<const RayTable>>> rays_;  // null: the lens is impossible
 };
 

@@ -2,6 +2,7 @@
 
 /// @file A scenario, made ready to run: scene, world, field, robots and their control software.
 
+#include <functional>
 #include <memory>
 
 #include "murosimf/scene/world_builder.h"
@@ -11,7 +12,10 @@ namespace murosimf {
 /// The control software that scenarios can name.
 ControlPrograms allPrograms();
 
+/// Whoever wants to look at more than the frame itself reads; asked when the robots are known.
+using Watchers = std::function<std::vector<Attachment>(const Participants&)>;
+
 /// Reads nothing; builds what the scene says. Null when diagnostics has got errors.
-std::unique_ptr<Simulation> buildGame(const Scene& scene, Diagnostics& diagnostics);
+std::unique_ptr<Simulation> buildGame(const Scene& scene, Diagnostics& diagnostics, const Watchers& watchers = {});
 
 }  // namespace murosimf

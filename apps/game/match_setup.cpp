@@ -1,4 +1,4 @@
-#include "murosimf/match_setup.h"
+#include "game/match_setup.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "murosimf/game.h"
+#include "game/game.h"
 
 #include "murosimf/modules/all_modules.h"
 #include "murosimf/soccer/field.h"
@@ -12,7 +12,7 @@ ControlPrograms allPrograms() {
           {"trotter", [] { return controllers::trotter::makeTrotter(); }}};
 }
 
-std::unique_ptr<Simulation> buildGame(const Scene& scene, Diagnostics& diagnostics) {
+std::unique_ptr<Simulation> buildGame(const Scene& scene, Diagnostics& diagnostics, const Watchers& watchers) {
   WorldBuilder builder(scene, diagnostics);
   FieldLook look;
   look.brightness = *scene.field.brightness;
@@ -20,6 +20,9 @@ std::unique_ptr<Simulation> buildGame(const Scene& scene, Diagnostics& diagnosti
   look.goal_at_plus_x = *scene.field.goal_at_plus_x;
   look.goal_at_minus_x = *scene.field.goal_at_minus_x;
   builder.addFixed(addField(builder.world(), fieldDescription(scene), look));
+  if (watchers) {
+    for (Attachment& attachment : watchers(builder.participants())) builder.attach(std::move(attachment));
+  }
   return builder.link(allModules(), allPrograms());
 }
 
