@@ -4,13 +4,16 @@ JOBS ?= $(shell nproc)
 BUILD := build/release
 
 .DEFAULT_GOAL := help
-.PHONY: help deps configure build run test bench check-all format install clean
+.PHONY: help deps deps-view configure build run view test bench check-all format install clean
 
 help:  ## print this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' Makefile
 
 deps:  ## install the packages of packages.txt that are missing
 	@tools/install_packages.sh build
+
+deps-view:  ## install what the window needs
+	@tools/install_packages.sh build view
 
 configure: deps
 	@cmake --preset release >/dev/null
@@ -21,6 +24,12 @@ build: configure  ## build the program, the libraries and the tests into build/r
 run: configure  ## play 60 s of the 3 versus 3 game; pictures, report and video go to out/
 	@cmake --build --preset release --parallel $(JOBS) --target murosimf_app
 	@$(BUILD)/murosimf run scenarios/game_3v3.toml --out out --video out/game.mp4
+
+SCENARIO ?= scenarios/game_3v3.toml
+view: deps-view  ## open a window onto SCENARIO (the 3 versus 3 game): pause, step, look at everything
+	@cmake --preset release >/dev/null
+	@cmake --build --preset release --parallel $(JOBS) --target murosimf-view
+	@$(BUILD)/murosimf-view $(SCENARIO)
 
 test: build  ## build and run the tests
 	@ctest --preset release --parallel $(JOBS)

@@ -15,17 +15,17 @@ target_link_libraries(murosimf_controllers ${visible} murosimf_client murosimf_m
 
 # How a scenario becomes a game with its referee: what all programs share.
 file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/apps/game/*.cpp")
-add_library(murosimf_game STATIC ${sources})
-murosimf_flags(murosimf_game)
-target_include_directories(murosimf_game PUBLIC "${PROJECT_SOURCE_DIR}/apps")
-target_link_libraries(murosimf_game PUBLIC murosimf_murosimf murosimf_controllers)
+add_library(murosimf_playing STATIC ${sources})
+murosimf_flags(murosimf_playing)
+target_include_directories(murosimf_playing PUBLIC "${PROJECT_SOURCE_DIR}/apps")
+target_link_libraries(murosimf_playing PUBLIC murosimf_murosimf murosimf_controllers)
 
 file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/apps/murosimf/*.cpp")
 if(sources)
   add_executable(murosimf_app ${sources})
   murosimf_flags(murosimf_app)
   target_compile_definitions(murosimf_app PRIVATE "MUROSIMF_VERSION=\"${PROJECT_VERSION}\"")
-  target_link_libraries(murosimf_app PRIVATE murosimf_game CLI11::CLI11 spdlog::spdlog Threads::Threads)
+  target_link_libraries(murosimf_app PRIVATE murosimf_playing CLI11::CLI11 spdlog::spdlog Threads::Threads)
   set_target_properties(murosimf_app PROPERTIES OUTPUT_NAME murosimf RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}")
 endif()
 
@@ -48,4 +48,14 @@ if(sources AND MUROSIMF_BENCHMARKS)
     target_link_libraries(murosimf-bench PRIVATE murosimf_peers)
   endif()
   set_target_properties(murosimf-bench PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}")
+endif()
+
+if(MUROSIMF_WINDOW)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/apps/murosimf-view/*.cpp")
+  add_executable(murosimf-view ${sources})
+  murosimf_flags(murosimf-view)
+  target_include_directories(murosimf-view SYSTEM PRIVATE "${MUROSIMF_IMGUI_INCLUDE}")
+  target_link_libraries(murosimf-view PRIVATE murosimf_gl murosimf_playing "${MUROSIMF_IMGUI_LIBRARY}"
+                        "$<$<BOOL:${MUROSIMF_STB_LIBRARY}>:${MUROSIMF_STB_LIBRARY}>" glfw CLI11::CLI11 Threads::Threads ${CMAKE_DL_LIBS})
+  set_target_properties(murosimf-view PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}")
 endif()

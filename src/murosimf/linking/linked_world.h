@@ -103,6 +103,15 @@ class LinkedWorld {
     visitColumns(place, [&](const ColumnLayout&, int, int, double& value) { visit(value); });
   }
 
+  /// Columns that an assembly has at its present level, and a number of one of them, for those who show them.
+  const std::vector<ColumnLayout>& columnsOf(const Place& place) const {
+    return batches_[static_cast<std::size_t>(place.batch)].columns;
+  }
+  double numberAt(const Place& place, const ColumnLayout& layout, int object, int component) const {
+    const int width = batches_[static_cast<std::size_t>(place.batch)].width;
+    return element(place, layout)[(object * layout.components + component) * width];
+  }
+
  private:
   friend class Linker;
   template <class Visitor>

@@ -43,10 +43,19 @@ void InterventionQueue::check(const Intervention& i) const {
     throw std::invalid_argument(
         fmt::format("{} cannot be placed there: a number is not finite", world_.path(i.object)));
   }
-  const bool known = i.kind == Intervention::Kind::kPlaceBody
-                         ? std::find(free_bodies_.begin(), free_bodies_.end(), i.object) != free_bodies_.end()
-                         : indexOf(i.object) < robots_.size();
+  const bool free = std::find(free_bodies_.begin(), free_bodies_.end(), i.object) != free_bodies_.end();
+  const bool robot = indexOf(i.object) < robots_.size();
+  const bool known = i.kind == Intervention::Kind::kPlaceBody ? free
+                     : i.kind == Intervention::Kind::kPush    ? free || robot
+                                                              : robot;
   if (!known) throw std::invalid_argument("an intervention on an object that is no robot or free body");
+  const int rows =
+      free ? 1 : static_cast<int>(world_.members(i.object, subset::kBodies).size());
+  if (i.kind == Intervention::Kind::kPush) {
+    if (i.level >= 0 && i.level < rows) return;
+    throw std::invalid_argument(
+        fmt::format("{} has {} bodies, and number {} is to be pushed", world_.path(i.object), rows, i.level));
+  }
   const int levels = i.kind == Intervention::Kind::kExchangeLevel ? exchangers_[indexOf(i.object)].levelCount() : 1;
   if (i.level < 0 || i.level >= levels) {
     throw std::invalid_argument(fmt::format("{} was linked with {} levels of detail, and one of number {} is asked for",
@@ -68,6 +77,10 @@ void InterventionQueue::exchangeLevel(long frame, ObjectId robot, int level) {
   exchange.object = robot;
   exchange.level = level;
   request(frame, exchange);
+}
+
+void InterventionQueue::push(long frame, ObjectId object, int row, const Vector3& p_W, const Vector3& force_W) {
+  request(frame, {Intervention::Kind::kPush, object, {p_W.x, p_W.y, 0}, p_W.z, force_W, row});
 }
 
 void InterventionQueue::apply(long frame) {
@@ -99,6 +112,8 @@ void InterventionQueue::act(const Intervention& i) {
       return pairs_.placeBody(i.object, {rotationZ(i.pose.heading), {i.pose.x, i.pose.y, i.height}}, i.velocity);
     case Intervention::Kind::kPlaceRobot:
       return robots_[indexOf(i.object)].place(i.pose);
+    case Intervention::Kind::kPush:
+      return pairs_.push(i.object, i.level, {i.pose.x, i.pose.y, i.height}, i.velocity);
     case Intervention::Kind::kExchangeLevel:
       exchangers_[indexOf(i.object)].exchange(i.level);
       return robots_[indexOf(i.object)].catchUp();

@@ -18,13 +18,13 @@ namespace murosimf {
 
 /// One change.
 struct Intervention {
-  enum class Kind { kPlaceRobot, kPlaceBody, kExchangeLevel };
+  enum class Kind { kPlaceRobot, kPlaceBody, kExchangeLevel, kPush };
   Kind kind = Kind::kPlaceRobot;
   ObjectId object;
-  PlanarPose pose;    ///< kPlaceRobot: base on the ground; kPlaceBody: x, y of the centre
-  double height = 0;  ///< kPlaceBody: of the centre [m]
-  Vector3 velocity;   ///< kPlaceBody [m/s]
-  int level = 0;      ///< kExchangeLevel: number of the level of detail
+  PlanarPose pose;    ///< kPlaceRobot: base on the ground; kPlaceBody: x, y of the centre; kPush: where it acts
+  double height = 0;  ///< kPlaceBody: of the centre; kPush: where it acts [m]
+  Vector3 velocity;   ///< kPlaceBody [m/s]; kPush: the force [N]
+  int level = 0;      ///< kExchangeLevel: number of the level of detail; kPush: row of the robot's body
 };
 
 class InterventionQueue {
@@ -36,11 +36,16 @@ class InterventionQueue {
   /// Acts at the beginning of this frame, or of the next one that begins.
   /// @throws std::invalid_argument when a number is not finite, or for an object that cannot be placed
   void request(long frame, const Intervention& intervention);
+  /// Throws what request() would throw.
+  void check(const Intervention& intervention) const;
   void placeRobot(long frame, ObjectId robot, const PlanarPose& pose);
   void placeBody(long frame, ObjectId body, const Vector3& position, const Vector3& velocity = {});
   /// Gives the robot another of the levels of detail with which it was linked, as soon as the steps of all of them end
   /// together (LevelExchanger).
   void exchangeLevel(long frame, ObjectId robot, int level);
+  /// Pushes a free body, or the body on a row of a robot, with a force over one frame, at a place in W. A robot whose
+  /// motion is prescribed does not feel it.
+  void push(long frame, ObjectId object, int row, const Vector3& p_W, const Vector3& force_W);
   /// Applies what is due.
   void apply(long frame);
 
@@ -53,7 +58,6 @@ class InterventionQueue {
   void archive(StateArchive& archive) { archive(waiting_); }
 
  private:
-  void check(const Intervention& intervention) const;
   /// False while it must wait for a robot's step to end.
   bool ready(const Intervention& intervention, long frame) const;
   void act(const Intervention& intervention);

@@ -10,7 +10,7 @@
 ///              then records until the file ends
 ///     frame    u8 'F'   u64 frame (one more than the last)   u32 changed columns: u32 column,
 ///              a bit for every number of the column (member by member, lowest bit first), f64 for every bit set
-///     place    u8 'I'   u64 frame in which it acted   u8 kind   text object   8 f64: x y heading height v_x v_y v_z 0
+///     place    u8 'I'   u64 frame in which it acted   u8 kind   text object   8 f64: x y heading height v_x v_y v_z level
 ///     end      u8 'E'   u64 frames recorded
 ///
 /// Numbers count as +0 before the first frame. Interventions stand before the frame that they acted in.
@@ -61,6 +61,7 @@ struct RecordedIntervention {
   PlanarPose pose;
   double height = 0;
   Vector3 velocity;
+  int level = 0;
   friend bool operator==(const RecordedIntervention&, const RecordedIntervention&) = default;
 };
 

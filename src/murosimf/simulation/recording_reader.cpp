@@ -124,8 +124,8 @@ void RecordingReader::readIntervention() {
   }
   act.frame = static_cast<long>(frame);
   const std::uint8_t kind = source_.u8("the kind of an intervention");
-  if (kind > static_cast<std::uint8_t>(Intervention::Kind::kPlaceBody)) {
-    source_.fail(fmt::format("an intervention of kind {}", kind), "0 (robot) or 1 (body)");
+  if (kind > static_cast<std::uint8_t>(Intervention::Kind::kPush)) {
+    source_.fail(fmt::format("an intervention of kind {}", kind), "0 (robot), 1 (body), 2 (level) or 3 (push)");
   }
   act.kind = static_cast<Intervention::Kind>(kind);
   act.object = source_.text("the object of an intervention");
@@ -134,6 +134,7 @@ void RecordingReader::readIntervention() {
   act.pose = {x[0], x[1], x[2]};
   act.height = x[3];
   act.velocity = {x[4], x[5], x[6]};
+  act.level = static_cast<int>(x[7]);
   interventions_.push_back(std::move(act));
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 #include "murosimf/math/random.h"
@@ -269,7 +270,12 @@ const Response* ContactRobot::response() {
   return response_.get();
 }
 
+/// Whoever loads does not know which rows' pair_force the run that saved would have cleared: it clears all.
 void ContactRobot::archive(StateArchive& archive) {
+  if (archive.loading()) {
+    pushed_.resize(memory_.size());
+    std::iota(pushed_.begin(), pushed_.end(), 0);
+  }
   archive(memory_, level_, placements_);
   if (response_ != nullptr) archive(*response_);
 }
@@ -292,6 +298,17 @@ void ContactRobot::finish(const FrameContacts& frame) {
         row);
   }
   pair_touch_.set(pushed_.empty() ? 0 : 1);
+}
+
+void ContactRobot::push(int row, const Vector3& p_W, const Vector3& force_W) {
+  if (!recoils()) return;
+  const Pose X_WB = path_.pose(row, begin_);
+  SpatialForce<double> force = pair_force_.get(row);
+  force += {applyTransposed(X_WB.rotation, cross(p_W - X_WB.translation, force_W)),
+            applyTransposed(X_WB.rotation, force_W)};
+  pair_force_.set(force, row);
+  pushed_.push_back(row);
+  pair_touch_.set(1);
 }
 
 }  // namespace murosimf

@@ -112,6 +112,9 @@ class ContactRobot {
   /// Hands it the frame's impulses.
   void finish(const FrameContacts& frame);
 
+  /// Then, where somebody pushes a body from outside of physics: adds a force at a place in W to what contacts do.
+  void push(int row, const Vector3& p_W, const Vector3& force_W);
+
   void feel(int sensor, double force) { push_.set(push_.get(sensor) + force, sensor); }
   void clearSensors();
   void archive(StateArchive& archive);

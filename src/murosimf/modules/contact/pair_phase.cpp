@@ -85,6 +85,7 @@ void PairPhase::agree() {
 
 /// A frame never needs more than this, so that none allocates.
 void PairPhase::reserve() {
+  pushes_.reserve(kMostPushes);
   std::size_t others = 1 + fixed_.size();
   for (const ContactRobot& robot : robots_) others += robot.primitives().size();
   const std::size_t found = robot_pairs_.mostContacts();
@@ -98,6 +99,7 @@ void PairPhase::reserve() {
 }
 
 void PairPhase::advance(long frame, double dt) {
+  pushBodies(dt);
   findPairs(frame, dt);
   for (std::size_t r = 0; r < robots_.size(); ++r) frame_.responders[r] = robots_[r].response();
   solver_.advance(frame_, dt);
@@ -107,6 +109,12 @@ void PairPhase::advance(long frame, double dt) {
     moving_[i].rate.set(frame_.bodies[i].angular_velocity);
   }
   for (ContactRobot& robot : robots_) robot.finish(frame_);
+  for (const Push& push : pushes_) {
+    for (ContactRobot& robot : robots_) {
+      if (robot.object() == push.object) robot.push(push.row, push.p_W, push.force_W);
+    }
+  }
+  pushes_.clear();
   noteTouches();
   pressSensors(dt);
 }
@@ -232,6 +240,22 @@ void PairPhase::addPair(std::size_t body, const Obstacle& obstacle, std::uint64_
   pair.hull = obstacle.collision.hull;
   pair.X_PS = obstacle.X_BS;
   pair.surface = table_->between(moving_[body].kind, obstacle.kind).surface;
+}
+
+void PairPhase::push(ObjectId object, int row, const Vector3& p_W, const Vector3& force_W) {
+  if (pushes_.size() < kMostPushes) pushes_.push_back({object, row, p_W, force_W});
+}
+
+/// Free bodies: an impulse at the frame's beginning, as that of gravity is given.
+void PairPhase::pushBodies(double dt) {
+  for (const Push& push : pushes_) {
+    for (Moving& m : moving_) {
+      if (m.object != push.object) continue;
+      const Vector3 impulse = push.force_W * dt;
+      m.velocity.set(m.velocity.get() + impulse * (1 / m.mass));
+      m.rate.set(m.rate.get() + cross(push.p_W - m.pose.get().translation, impulse) * (1 / m.inertia));
+    }
+  }
 }
 
 void PairPhase::placeBody(ObjectId body, const Pose& X_WB, const Vector3& velocity) {

@@ -43,6 +43,10 @@ class PairPhase {
   void advance(long frame, double dt);
   /// Puts a free body somewhere, not turning.
   void placeBody(ObjectId body, const Pose& X_WB, const Vector3& velocity);
+  /// Pushes a free body, or a robot's body on a row, over the next frame, with a force at a place in W. Whoever does not
+  /// recoil does not feel it. At most kMostPushes a frame; further ones are left out.
+  static constexpr std::size_t kMostPushes = 64;
+  void push(ObjectId object, int row, const Vector3& p_W, const Vector3& force_W);
   /// A free body and what it touched: a robot, something fixed, or (invalid) the ground.
   struct Touch {
     ObjectId body, partner;
@@ -64,6 +68,11 @@ class PairPhase {
     std::uint64_t name;
     int kind;
   };
+  struct Push {
+    ObjectId object;
+    int row = 0;
+    Vector3 p_W, force_W;
+  };
   struct Partner {  // of the frame
     ObjectId object;
     int robot = -1;
@@ -80,6 +89,7 @@ class PairPhase {
   void addRobot(std::size_t body, int number, double reach);
   void addPair(std::size_t body, const Obstacle& obstacle, std::uint64_t name, int partner);
   void nameNewPartner(ObjectId object, int robot);
+  void pushBodies(double dt);
   void noteTouches();
   void pressSensors(double dt);
   void press(const ContactSide& side, std::uint16_t shape, double force);
@@ -94,6 +104,7 @@ class PairPhase {
   FrameContacts frame_;
   std::vector<Partner> partners_;
   std::vector<Touch> touches_;
+  std::vector<Push> pushes_;  // of the frame
 };
 
 }  // namespace murosimf
