@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kDegree = kPi / 180.0;
 
-CameraModel withDistortion(int width, int height, double horizontal_angle, const std::array<double, 5>& kc) {
+CameraModel withDistortion(int width, int height, double horizontal_angle, const std::array<double, 12>& kc) {
   CameraModel camera = makePinholeCamera(width, height, horizontal_angle);
   camera.kc = kc;
   return camera;
@@ -55,7 +55,7 @@ double worstRoundTrip(const CameraModel& camera) {
 
 /// OpenCV's way back: x <- (xd - tangential(x)) / L(x), run until it stands still [OpenCV, undistortPoints].
 RaySlopes unprojectByFixedPoint(const CameraModel& camera, ImagePoint place) {
-  const auto [k1, k2, p1, p2, k3] = camera.kc;
+  const double k1 = camera.kc[0], k2 = camera.kc[1], p1 = camera.kc[2], p2 = camera.kc[3], k3 = camera.kc[4];
   const double yd = (place.v - camera.cy) / camera.fy, xd = (place.u - camera.cx) / camera.fx - camera.skew * yd;
   double x = xd, y = yd;
   for (int i = 0; i < 500; ++i) {

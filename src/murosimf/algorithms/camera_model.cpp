@@ -1,10 +1,12 @@
 #include "murosimf/algorithms/camera_model.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
 #include <string>
-#include <utility>
+
+#include "murosimf/algorithms/lens_curve.h"
 
 namespace murosimf {
 namespace {
@@ -18,137 +20,32 @@ std::string number(double x) {
   return text;
 }
 
-/// L and dL / d(r^2).
-struct RadialFactor {
-  double value, derivative;
-};
-
-/// r L(r) of the polynomial and its slope.
-double polynomialRadius(const CameraModel& camera, double r) {
-  const auto& kc = camera.kc;
-  const double s = r * r;
-  return r * (1.0 + s * (kc[0] + s * (kc[1] + s * kc[4])));
-}
-double polynomialSlope(const CameraModel& camera, double s) {
-  const auto& kc = camera.kc;
-  return 1.0 + s * (3.0 * kc[0] + s * (5.0 * kc[1] + s * 7.0 * kc[4]));
-}
-
-// Within linear_from the polynomial; beyond it r L(r) is the tangent there, so L = rest / r + slope.
-RadialFactor radialFactor(const CameraModel& camera, double s) {
-  const auto& kc = camera.kc;
-  const double from = camera.linear_from;
-  if (s <= from * from)
-    return {1.0 + s * (kc[0] + s * (kc[1] + s * kc[4])), kc[0] + s * (2.0 * kc[1] + s * 3.0 * kc[4])};
-  const double slope = polynomialSlope(camera, from * from);
-  const double rest = polynomialRadius(camera, from) - slope * from;  // r L = rest + slope r
-  const double r = std::sqrt(s);
-  return {rest / r + slope, -0.5 * rest / (s * r)};
-}
-
-/// Smallest r^2 at which the slope of r L(r) has fallen to `least`; infinity when it never does. Between two places
-/// where the slope's own derivative vanishes it is monotone, so there a root is found by halving.
-double smallestSquareWithSlope(const CameraModel& camera, double least) {
-  const double a = 21.0 * camera.kc[4], b = 10.0 * camera.kc[1], c = 3.0 * camera.kc[0];  // of the derivative
-  const double discriminant = b * b - 4.0 * a * c;
-  double turns[3] = {INFINITY, INFINITY, 1e12};
-  if (a == 0.0) {
-    if (b != 0.0) turns[0] = -c / b;
-  } else if (discriminant > 0.0) {
-    const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
-    turns[0] = q / a;
-    if (q != 0.0) turns[1] = c / q;
-  }
-  if (turns[1] < turns[0]) std::swap(turns[0], turns[1]);
-  double low = 0.0;
-  for (const double turn : turns) {
-    if (!(turn > low) || turn > turns[2]) continue;
-    double high = turn;
-    if (polynomialSlope(camera, high) > least) {
-      low = high;
-      continue;
-    }
-    while (true) {
-      const double middle = 0.5 * (low + high);
-      if (middle <= low || middle >= high) return high;
-      (polynomialSlope(camera, middle) > least ? low : high) = middle;
-    }
-  }
-  return INFINITY;
-}
-
 RaySlopes difference(RaySlopes a, RaySlopes b) { return {a.x - b.x, a.y - b.y}; }
 double length(RaySlopes a) { return std::sqrt(a.x * a.x + a.y * a.y); }
 
+/// Rays are looked for up to this slope.
+double largestSlope(double valid_radius) { return std::min(valid_radius, tan(kLargestAngle)); }
+
 /// What stands in every message about a pixel that the lens cannot see.
-std::string beyondLens(const CameraModel& camera, ImagePoint place, RaySlopes distorted) {
-  std::string text = "pixel (" + number(place.u) + ", " + number(place.v) + ") lies beyond what the lens can see: ";
-  const double largest = validRadius(camera);
-  if (std::isinf(largest)) return text + "no ray falls there with these tangential distortions kc[2], kc[3]";
+std::string beyondLens(const CameraModel& camera, ImagePoint place, RaySlopes distorted, double valid_radius) {
+  const double largest = largestSlope(valid_radius), reached = curveAt(camera, largest).value;
+  const std::string text =
+      "pixel (" + number(place.u) + ", " + number(place.v) + ") lies beyond what the lens can see: ";
+  if (length(distorted) < reached)
+    return text + "no ray falls there with these tangential distortions p1, p2, s1 to s4";
+  const std::string angle = number(atan2(largest, 1.0) / kDegree);
   return text + "it needs a distorted radius of " + number(length(distorted)) + ", expected at most " +
-         number(polynomialRadius(camera, largest)) + ", which the lens reaches at " +
-         number(atan2(largest, 1.0) / kDegree) +
-         " deg from its axis; choose a longer focal length, a smaller picture, other kc, or let the lens be continued "
-         "linearly";
+         number(reached) + ", which the lens reaches at " + angle + " deg from its axis, " +
+         (largest < valid_radius ? "the largest angle of a ray" : "where its curve stops growing") +
+         "; choose a longer focal length, a smaller picture, other kc, or let the lens be continued linearly";
 }
 
-}  // namespace
-
-CameraModel makePinholeCamera(int width, int height, double horizontal_angle) {
-  if (!(horizontal_angle > 0.0 && horizontal_angle < kPi))
-    throw std::invalid_argument("horizontal angle of view is " + number(horizontal_angle) +
-                                " rad, expected more than 0 and less than pi");
-  CameraModel camera;
-  camera.width = width, camera.height = height;
-  camera.fx = camera.fy = width / (2.0 * tan(0.5 * horizontal_angle));
-  camera.cx = 0.5 * (width - 1), camera.cy = 0.5 * (height - 1);
-  checkCamera(camera);
-  return camera;
-}
-
-RaySlopes distort(const CameraModel& camera, RaySlopes ray) {
-  const double x = ray.x, y = ray.y, p1 = camera.kc[2], p2 = camera.kc[3];
-  const double s = x * x + y * y;
-  const double radial = radialFactor(camera, s).value;
-  return {x * radial + 2.0 * p1 * x * y + p2 * (s + 2.0 * x * x),
-          y * radial + p1 * (s + 2.0 * y * y) + 2.0 * p2 * x * y};
-}
-
-DistortionJacobian distortionJacobian(const CameraModel& camera, RaySlopes ray) {
-  const double x = ray.x, y = ray.y, p1 = camera.kc[2], p2 = camera.kc[3];
-  const RadialFactor radial = radialFactor(camera, x * x + y * y);
-  const double cross = 2.0 * (radial.derivative * x * y + p1 * x + p2 * y);
-  return {radial.value + 2.0 * radial.derivative * x * x + 2.0 * p1 * y + 6.0 * p2 * x, cross, cross,
-          radial.value + 2.0 * radial.derivative * y * y + 6.0 * p1 * y + 2.0 * p2 * x};
-}
-
-ImagePoint project(const CameraModel& camera, RaySlopes ray) {
-  const RaySlopes d = distort(camera, ray);
-  return {camera.fx * (d.x + camera.skew * d.y) + camera.cx, camera.fy * d.y + camera.cy};
-}
-
-std::optional<ImagePoint> projectPoint(const CameraModel& camera, const Vector3& p_C) {
-  if (!(p_C.z > 0.0)) return std::nullopt;
-  const RaySlopes ray{p_C.x / p_C.z, p_C.y / p_C.z};
-  if (std::isinf(camera.linear_from) && length(ray) > validRadius(camera)) return std::nullopt;
-  return project(camera, ray);
-}
-
-bool isInPicture(const CameraModel& camera, ImagePoint place) {
-  return place.u >= -0.5 && place.v >= -0.5 && place.u < camera.width - 0.5 && place.v < camera.height - 0.5;
-}
-
-RaySlopes unproject(const CameraModel& camera, ImagePoint place) {
-  return unproject(camera, place, validRadius(camera));
-}
-
-// Newton's method with the analytic Jacobian, from the distorted slopes. For barrel distortion the radial curve is
-// concave and steps approach the ray from below; halving guards the rest. It goes on until rounding stops it.
-RaySlopes unproject(const CameraModel& camera, ImagePoint place, double valid_radius) {
-  RaySlopes distorted;
-  distorted.y = (place.v - camera.cy) / camera.fy;
-  distorted.x = (place.u - camera.cx) / camera.fx - camera.skew * distorted.y;
-  RaySlopes ray = distorted;
+// Newton's method with the analytic Jacobian from a ray nearby; halving guards it. It goes on until rounding stops it.
+struct Search {
+  RaySlopes ray;
+  double error = 0.0;  ///< length of what is left
+};
+Search newton(const CameraModel& camera, RaySlopes distorted, RaySlopes ray) {
   RaySlopes residual = difference(distort(camera, ray), distorted);
   double error = length(residual);
   const double enough = 1e-16 * (1.0 + length(distorted));
@@ -167,18 +64,99 @@ RaySlopes unproject(const CameraModel& camera, ImagePoint place, double valid_ra
     if (!(length(next_residual) < error)) break;
     ray = next, residual = next_residual, error = length(residual);
   }
-  const DistortionJacobian j = distortionJacobian(camera, ray);
-  const bool beyond = std::isinf(camera.linear_from) && length(ray) > valid_radius;
-  const bool folded = beyond || j.xx * j.yy - j.xy * j.yx <= 0.0;
-  if (!(error < kWorstResidual * (1.0 + length(distorted))) || folded)
-    throw std::invalid_argument(beyondLens(camera, place, distorted));
-  return ray;
+  return {ray, error};
 }
 
-double validRadius(const CameraModel& camera) { return std::sqrt(smallestSquareWithSlope(camera, 0.0)); }
+}  // namespace
+
+CameraModel makePinholeCamera(int width, int height, double horizontal_angle) {
+  if (!(horizontal_angle > 0.0 && horizontal_angle < kPi))
+    throw std::invalid_argument("horizontal angle of view is " + number(horizontal_angle) +
+                                " rad, expected more than 0 and less than pi");
+  CameraModel camera;
+  camera.width = width, camera.height = height;
+  camera.fx = camera.fy = width / (2.0 * tan(0.5 * horizontal_angle));
+  camera.cx = 0.5 * (width - 1), camera.cy = 0.5 * (height - 1);
+  checkCamera(camera);
+  return camera;
+}
+
+RaySlopes distort(const CameraModel& camera, RaySlopes ray) {
+  const double x = ray.x, y = ray.y, s = x * x + y * y;
+  const double radial = radialFactor(camera, s).value;
+  if (camera.kind == LensKind::kFisheye) return {x * radial, y * radial};
+  const auto& kc = camera.kc;
+  const double p1 = kc[2], p2 = kc[3], tangential = tangentialFactor(camera, s).value;
+  return {
+      x * radial + tangential * (2.0 * p1 * x * y + p2 * (s + 2.0 * x * x)) + thinPrism(camera, kc[8], kc[9], s).value,
+      y * radial + tangential * (p1 * (s + 2.0 * y * y) + 2.0 * p2 * x * y) +
+          thinPrism(camera, kc[10], kc[11], s).value};
+}
+
+DistortionJacobian distortionJacobian(const CameraModel& camera, RaySlopes ray) {
+  const double x = ray.x, y = ray.y, s = x * x + y * y;
+  const OfSquare radial = radialFactor(camera, s);
+  const double cross = 2.0 * radial.derivative * x * y;
+  DistortionJacobian j{radial.value + 2.0 * radial.derivative * x * x, cross, cross,
+                       radial.value + 2.0 * radial.derivative * y * y};
+  if (camera.kind == LensKind::kFisheye) return j;
+  const auto& kc = camera.kc;
+  const double p1 = kc[2], p2 = kc[3];
+  const OfSquare tangential = tangentialFactor(camera, s);
+  const double g = tangential.value, tx = 2.0 * p1 * x * y + p2 * (s + 2.0 * x * x),
+               ty = p1 * (s + 2.0 * y * y) + 2.0 * p2 * x * y;
+  const double dx = 2.0 * (tangential.derivative * tx + thinPrism(camera, kc[8], kc[9], s).derivative);
+  const double dy = 2.0 * (tangential.derivative * ty + thinPrism(camera, kc[10], kc[11], s).derivative);
+  j.xx += g * (2.0 * p1 * y + 6.0 * p2 * x) + dx * x, j.xy += g * 2.0 * (p1 * x + p2 * y) + dx * y;
+  j.yx += g * 2.0 * (p1 * x + p2 * y) + dy * x, j.yy += g * (6.0 * p1 * y + 2.0 * p2 * x) + dy * y;
+  return j;
+}
+
+ImagePoint project(const CameraModel& camera, RaySlopes ray) {
+  const RaySlopes d = distort(camera, ray);
+  return {camera.fx * (d.x + camera.skew * d.y) + camera.cx, camera.fy * d.y + camera.cy};
+}
+
+std::optional<ImagePoint> projectPoint(const CameraModel& camera, const Vector3& p_C) {
+  if (!(p_C.z > 0.0)) return std::nullopt;
+  const RaySlopes ray{p_C.x / p_C.z, p_C.y / p_C.z};
+  if (length(ray) > validRadius(camera)) return std::nullopt;
+  return project(camera, ray);
+}
+
+bool isInPicture(const CameraModel& camera, ImagePoint place) {
+  return place.u >= -0.5 && place.v >= -0.5 && place.u < camera.width - 0.5 && place.v < camera.height - 0.5;
+}
+
+RaySlopes unproject(const CameraModel& camera, ImagePoint place) {
+  return unproject(camera, place, validRadius(camera));
+}
+
+// The radius is found first, along the monotone curve of the lens; Newton's method in two dimensions then has but the
+// tangential part to find.
+RaySlopes unproject(const CameraModel& camera, ImagePoint place, double valid_radius) {
+  RaySlopes distorted;
+  distorted.y = (place.v - camera.cy) / camera.fy;
+  distorted.x = (place.u - camera.cx) / camera.fx - camera.skew * distorted.y;
+  const double radius = length(distorted), largest = largestSlope(valid_radius);
+  const double share = radius > 0.0 ? radiusOfCurve(camera, radius, largest) / radius : 1.0;
+  const Search found = newton(camera, distorted, {share * distorted.x, share * distorted.y});
+  const DistortionJacobian j = distortionJacobian(camera, found.ray);
+  const bool folded = !(length(found.ray) <= largest) || j.xx * j.yy - j.xy * j.yx <= 0.0;
+  if (!(found.error < kWorstResidual * (1.0 + radius)) || folded)
+    throw std::invalid_argument(beyondLens(camera, place, distorted, valid_radius));
+  return found.ray;
+}
+
+double validRadius(const CameraModel& camera) {
+  if (!std::isinf(camera.linear_from)) return INFINITY;
+  return std::min(firstRadiusOfSteepness(camera, 0.0), poleRadius(camera));
+}
 
 std::optional<double> continueLinearly(CameraModel& camera, double least_slope) {
-  camera.linear_from = std::sqrt(smallestSquareWithSlope(camera, least_slope));
+  constexpr double kFromAtLatest = 80.0 * kDegree;  // of a fisheye, whose slopes grow without end
+  camera.linear_from = firstRadiusOfSteepness(camera, least_slope);
+  if (camera.kind == LensKind::kFisheye) camera.linear_from = std::min(camera.linear_from, tan(kFromAtLatest));
   if (std::isinf(camera.linear_from)) return std::nullopt;
   return atan2(camera.linear_from, 1.0);
 }

@@ -2,19 +2,25 @@
 
 /// @file The lens of a camera: which ray of light falls on which pixel.
 ///
-/// Model (Bouguet's toolbox, OpenCV's "plumb bob"), for a point p_C = (X, Y, Z) seen from camera frame C, whose x
-/// points right, y down, z forward:
-///   x = X / Z, y = Y / Z                                    slopes of the ray, r^2 = x^2 + y^2
-///   L = 1 + k1 r^2 + k2 r^4 + k3 r^6                        radial factor
-///   xd = x L + 2 p1 x y + p2 (r^2 + 2 x^2)                  kc = (k1, k2, p1, p2, k3): mind the order
-///   yd = y L + p1 (r^2 + 2 y^2) + 2 p2 x y
+/// For a point p_C = (X, Y, Z) seen from camera frame C, whose x points right, y down, z forward:
+///   x = X / Z, y = Y / Z                                    slopes of the ray, r^2 = x^2 + y^2 = s
+///   xd = x L(s) + 2 p1 x y + p2 (s + 2 x^2) + s1 s + s2 s^2
+///   yd = y L(s) + p1 (s + 2 y^2) + 2 p2 x y + s3 s + s4 s^2
 ///   u = fx (xd + skew yd) + cx,  v = fy yd + cy             column and row [px]; pixel centres are at integers
-/// [Brown 1971; Heikkila & Silven 1997; Bouguet 2004]
+/// with the radial factor L of one of two kinds:
+///   rational  L = (1 + k1 s + k2 s^2 + k3 s^3) / (1 + k4 s + k5 s^2 + k6 s^3),
+///             kc = (k1, k2, p1, p2, k3, k4, k5, k6, s1, s2, s3, s4): OpenCV's order; k4 to s4 are zero in the model
+///             of Bouguet's toolbox, the "plumb bob"
+///   fisheye   L = theta_d / r, theta = atan2(r, 1), theta_d = theta (1 + k1 theta^2 + k2 theta^4 + k3 theta^6
+///             + k4 theta^8), kc = (k1, k2, k3, k4) and no p, no s
+/// [Brown 1971; Heikkila & Silven 1997; Bouguet 2004; Kannala & Brandt 2006; OpenCV 4.6, calib3d]
 ///
-/// The radius r L(r) of a lens may stop growing: beyond the smallest root of 1 + 3 k1 r^2 + 5 k2 r^4 + 7 k3 r^6 no ray
-/// belongs to a pixel. A picture that reaches beyond it is refused, or the radial curve is continued linearly.
+/// The curve r L(r) of a lens may stop growing: from there on no ray belongs to a pixel. A picture that reaches beyond
+/// it is refused, or the curve is continued linearly. Rays are slopes, so none stands farther than kLargestAngle from
+/// the axis.
 
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <optional>
 
@@ -37,19 +43,25 @@ struct DistortionJacobian {
   double xx{}, xy{}, yx{}, yy{};  ///< d xd/d x, d xd/d y, d yd/d x, d yd/d y
 };
 
+enum class LensKind : std::uint8_t { kRational, kFisheye };
+
+/// Rays stand at most so far from the axis [rad]: 89 deg, where slopes are 57.
+inline constexpr double kLargestAngle = 89.0 / 180.0 * kPi;
+
 struct CameraModel {
   int width = 640, height = 480;                                 ///< [px]
   double fx = 500.0, fy = 500.0;                                 ///< focal lengths [px]
   double cx = 319.5, cy = 239.5;                                 ///< where the optical axis meets the picture [px]
   double skew = 0.0;                                             ///< alpha_c
-  std::array<double, 5> kc{0, 0, 0, 0, 0};                       ///< k1 k2 p1 p2 k3
-  double linear_from = std::numeric_limits<double>::infinity();  ///< slope r beyond which r L(r) goes on as a line
+  LensKind kind = LensKind::kRational;                           ///< what kc means
+  std::array<double, 12> kc{};                                   ///< numbers of the lens, see above
+  double linear_from = std::numeric_limits<double>::infinity();  ///< slope r beyond which the lens goes on as a line
   friend bool operator==(const CameraModel&, const CameraModel&) = default;
 };
 
 /// A camera without distortion that sees `horizontal_angle` [rad] between the outer edges of its left- and rightmost
 /// pixels; square pixels, axis through the middle of the picture. fx = width / (2 tan(angle / 2)).
-/// @throws std::invalid_argument unless 0 < angle < pi and the size is positive.
+/// @throws std::invalid_argument unless 0 < angle < pi, the size is positive, and no ray passes kLargestAngle.
 CameraModel makePinholeCamera(int width, int height, double horizontal_angle);
 
 /// Slopes after the lens (xd, yd), and their derivative.
@@ -70,11 +82,12 @@ RaySlopes unproject(const CameraModel& camera, ImagePoint place);
 /// The same for many places: valid_radius is what validRadius() says of this camera.
 RaySlopes unproject(const CameraModel& camera, ImagePoint place, double valid_radius);
 
-/// Smallest slope r at which r L(r) stops growing; infinity when it never does.
+/// Smallest slope r at which r L(r) stops growing; infinity when it never does, as when it is continued.
 double validRadius(const CameraModel& camera);
 
-/// Lets the radial curve go on as a line from where its steepness falls below `least_slope` (of 1 on the axis), so that
-/// every pixel has a ray. The picture is then wrong beyond that angle, but never black.
+/// Lets the lens go on as a line in r from where its steepness falls below `least_slope` (of 1 on the axis; a fisheye's
+/// by its angle theta), of a fisheye from 80 deg at the latest, so that every pixel has a ray: r L(r) and what p and s
+/// add, each along its tangent. The picture is then wrong beyond that angle, but never black.
 /// @returns the angle from the axis [rad] from which the lens is not the one described; nothing if it need not change.
 std::optional<double> continueLinearly(CameraModel& camera, double least_slope = 0.2);
 
