@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "algorithms/camera_scene.h"
+#include "algorithms/mesh_shapes.h"
 #include "paired_ratio.h"
 
 namespace murosimf {
@@ -67,6 +68,10 @@ BENCHMARK_CAPTURE(variant, colour_only, [](Setup& s) {
   s.picture.has_depth = s.picture.has_label = false;
 })->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(variant, empty_field, [](Setup& s) { s.scene.drawables.clear(); })->Unit(benchmark::kMillisecond);
+/// Robots, goals and ball of triangles: 11 000 a robot, those of all robots the same.
+BENCHMARK_CAPTURE(variant, meshes, [](Setup& s) {
+  mesh_shapes::drawAsMeshes(24, s.scene);
+})->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(variant, robots_22, [](Setup& s) {
   for (int k = 0; k < 16; ++k)
     camera_scene::addRobot({0.4 + 0.1 * k, 0.8 * sin(2.0 * k), 0.5 * k}, {0.2F, 0.6F, 0.8F}, 30 + k, s.scene);

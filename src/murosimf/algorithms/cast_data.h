@@ -9,6 +9,8 @@
 
 #include <cstdint>
 
+#include "murosimf/algorithms/cast_mesh_data.h"
+
 namespace murosimf {
 
 inline constexpr int kTileSize = 16;  ///< [px]
@@ -34,11 +36,7 @@ struct QuadraticForm {
   float x0, y0, xx, xy, yy, x, y, one;
 };
 
-struct CastColour {
-  float red, green, blue;
-};
-
-enum class CastKind : std::int32_t { kBox, kEllipsoid, kCylinder, kShadow };
+enum class CastKind : std::int32_t { kBox, kEllipsoid, kCylinder, kCapsule, kMesh, kShadow };
 
 /// One surface, ready to be met by rays. Fields that a kind does not name are not set.
 struct CastSurface {
@@ -49,13 +47,14 @@ struct CastSurface {
   LinearForm plane[6];         ///< w of the planes, those that face the camera first
   CastColour plane_colour[3];  ///< lit, of those that face the camera
   std::int32_t fronts;         ///< how many face the camera: 1 to 3
-  // Ellipsoid, and side of a cylinder: w = sqrt(root) + rest where root >= 0.
+  // Ellipsoid, and side of a cylinder or capsule: w = sqrt(root) + rest where root >= 0.
   QuadraticForm root;
   LinearForm rest;
   // Ellipsoid: gradient of the surface times w = gradient_w w + gradient.
   LinearForm gradient[3];
   float gradient_w[3];
-  // Cylinder: height above the middle times w, in half lengths = axis_w w + axis; the same for the two axes across.
+  // Cylinder, capsule: height above the middle times w, in half lengths = axis_w w + axis; the same for the two axes
+  // across.
   LinearForm axis[3];
   float axis_w[3];
   LinearForm side_light;  ///< cosine between side and lamp = side_light_w + side_light / w
@@ -63,6 +62,11 @@ struct CastSurface {
   LinearForm cap;         ///< w of the cap that faces the camera
   CastColour cap_colour;  ///< lit
   std::int32_t has_side, has_cap;
+  // Ends of a capsule, as an ellipsoid's root and rest; cosine between one and the lamp = end_light_w + end_light / w.
+  QuadraticForm end_root[2];
+  LinearForm end_rest[2], end_light;
+  float end_light_w[2];
+  std::int32_t mesh;  ///< mesh: index into CastScene::meshes
   // Shadow: (offset from its middle / radius) w on the ground, and the share of light it takes there.
   LinearForm offset[2];
   float strength;
@@ -98,6 +102,7 @@ struct CastGround {
 struct CastScene {
   CastGround ground;
   const CastSurface* surfaces;
+  const CastMeshView* meshes;
   const CastRow* rows;  ///< of tiles
   float lamp[3];        ///< unit vector towards the lamp, in C
   float ambient;        ///< share of light from everywhere

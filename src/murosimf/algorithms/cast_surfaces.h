@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Rays meet boxes, ellipsoids and cylinders. A part of the ray caster's kernel.
+/// @file Rays meet boxes, ellipsoids, cylinders and capsules. A part of the ray caster's kernel.
 ///
 /// Formulas (o: camera's place, d: ray's direction, both in the surface's own frame, where it has half sizes 1):
 ///   plane      s = o_i + t d_i                    w = d_i / (s - o_i)
@@ -8,42 +8,13 @@
 ///   cylinder   the same in two dimensions         the digits that (o.d)^2 - c d.d loses for far surfaces]
 /// The coefficients in x and y are made once a picture, in double (scene_preparation.h).
 
-#include "murosimf/algorithms/cast_tile.h"
+#include "murosimf/algorithms/cast_mesh.h"
 
 namespace murosimf {
 inline namespace MUROSIMF_ISA {
 
-template <class S>
-struct Lit {
-  S red, green, blue;
-};
-
-/// Light that a surface gives back whose normal has this cosine with the lamp's direction.
-template <class S>
-inline S brightness(const CastScene& scene, S cosine) {
-  return S(scene.ambient) + S(1.0F - scene.ambient) * max(cosine, S(0.0F));
-}
-template <class S>
-inline Lit<S> lit(const CastColour& colour, S light) {
-  return {S(colour.red) * light, S(colour.green) * light, S(colour.blue) * light};
-}
-
-/// Overwrites the lanes of pack i in which the surface was met nearest.
-template <class S, class M>
-inline void see(const Tile& tile, int i, M nearest, S w, const Lit<S>& colour, const CastSurface& surface) {
-  TileBuffer& b = tile.buffer;
-  store(b.w + i, select(nearest, w, load<S>(b.w + i)));
-  store(b.red + i, select(nearest, colour.red, load<S>(b.red + i)));
-  store(b.green + i, select(nearest, colour.green, load<S>(b.green + i)));
-  store(b.blue + i, select(nearest, colour.blue, load<S>(b.blue + i)));
-  store(b.label + i, select(nearest, S(surface.label), load<S>(b.label + i)));
-  if (!tile.job.antialias) return;
-  const S index(static_cast<float>(&surface - tile.scene.surfaces));
-  store(b.surface + i, select(nearest, index, load<S>(b.surface + i)));
-}
-
 /// A box of which kFronts planes face the camera: entered behind all of these, left at the first of the others.
-template <class S, int kFronts>
+template <class S, CastView kView, int kFronts>
 inline void meetBox(const Tile& tile, const CastSurface& box, int i) {
   const S x = load<S>(tile.x + i), y = load<S>(tile.y + i);
   S entry = evaluate(box.plane[0], x, y), second = entry, third = entry;
@@ -65,10 +36,10 @@ inline void meetBox(const Tile& tile, const CastSurface& box, int i) {
     colour = {select(here, S(c[2].red), colour.red), select(here, S(c[2].green), colour.green),
               select(here, S(c[2].blue), colour.blue)};
   }
-  see(tile, i, nearest, entry, colour, box);
+  see<S, kView>(tile, i, nearest, entry, colour, box);
 }
 
-template <class S>
+template <class S, CastView kView>
 inline void meetEllipsoid(const Tile& tile, const CastSurface& s, int i) {
   const S x = load<S>(tile.x + i), y = load<S>(tile.y + i);
   const S root = evaluate(s.root, x, y);
@@ -82,10 +53,10 @@ inline void meetEllipsoid(const Tile& tile, const CastSurface& s, int i) {
   const S gz = evaluate(s.gradient[2], x, y) + S(s.gradient_w[2]) * w;
   const float* lamp = tile.scene.lamp;
   const S cosine = ((gx * S(lamp[0]) + gy * S(lamp[1])) + gz * S(lamp[2])) / sqrt((gx * gx + gy * gy) + gz * gz);
-  see(tile, i, nearest, w, lit(s.colour, brightness(tile.scene, cosine)), s);
+  see<S, kView>(tile, i, nearest, w, lit(s.colour, brightness(tile.scene, cosine)), s);
 }
 
-template <class S>
+template <class S, CastView kView>
 inline void meetCylinder(const Tile& tile, const CastSurface& s, int i) {
   const S x = load<S>(tile.x + i), y = load<S>(tile.y + i);
   const S zero(0.0F), axial = evaluate(s.axis[2], x, y);
@@ -109,14 +80,39 @@ inline void meetCylinder(const Tile& tile, const CastSurface& s, int i) {
   const S cosine = S(s.side_light_w) + evaluate(s.side_light, x, y) / w;
   const Lit<S> side = lit(s.colour, brightness(tile.scene, cosine));
   const CastColour& cap = s.cap_colour;
-  see(tile, i, nearest, w,
-      Lit<S>{select(on_side, side.red, S(cap.red)), select(on_side, side.green, S(cap.green)),
-             select(on_side, side.blue, S(cap.blue))},
-      s);
+  see<S, kView>(tile, i, nearest, w,
+                Lit<S>{select(on_side, side.red, S(cap.red)), select(on_side, side.green, S(cap.green)),
+                       select(on_side, side.blue, S(cap.blue))},
+                s);
+}
+
+/// The side and two spheres: what lies within the ends of a side that is left open is never seen.
+template <class S, CastView kView>
+inline void meetCapsule(const Tile& tile, const CastSurface& s, int i) {
+  const S x = load<S>(tile.x + i), y = load<S>(tile.y + i), zero(0.0F);
+  S w = zero, turn = zero;
+  if (s.has_side) {
+    const S root = evaluate(s.root, x, y);
+    const S w_side = sqrt(max(root, zero)) + evaluate(s.rest, x, y);
+    const auto met = (root >= zero) & (abs(S(s.axis_w[2]) * w_side + evaluate(s.axis[2], x, y)) <= w_side);
+    w = select(met, w_side, w), turn = select(met, S(s.side_light_w), turn);
+  }
+  auto on_side = w > zero;
+  for (int end = 0; end < 2; ++end) {
+    const S root = evaluate(s.end_root[end], x, y);
+    const S w_end = sqrt(max(root, zero)) + evaluate(s.end_rest[end], x, y);
+    const auto met = (root >= zero) & (w_end > w);
+    w = select(met, w_end, w), turn = select(met, S(s.end_light_w[end]), turn);
+    on_side = on_side & !met;
+  }
+  const auto nearest = w > load<S>(tile.buffer.w + i);
+  if (laneBits(nearest) == 0) return;
+  const S light = select(on_side, evaluate(s.side_light, x, y), evaluate(s.end_light, x, y));
+  see<S, kView>(tile, i, nearest, w, lit(s.colour, brightness(tile.scene, turn + light / w)), s);
 }
 
 /// Everything solid that may appear in the tile.
-template <class S>
+template <class S, CastView kView>
 inline void castSurfaces(const Tile& tile) {
   const CastRow& row = tile.candidates;
   forCandidates<S>(tile, [&](int k) {
@@ -126,14 +122,18 @@ inline void castSurfaces(const Tile& tile) {
     };
     switch (surface.kind) {
       case CastKind::kBox:
-        if (surface.fronts == 1) within([&](int i) { meetBox<S, 1>(tile, surface, i); });
-        if (surface.fronts == 2) within([&](int i) { meetBox<S, 2>(tile, surface, i); });
-        if (surface.fronts == 3) within([&](int i) { meetBox<S, 3>(tile, surface, i); });
+        if (surface.fronts == 1) within([&](int i) { meetBox<S, kView, 1>(tile, surface, i); });
+        if (surface.fronts == 2) within([&](int i) { meetBox<S, kView, 2>(tile, surface, i); });
+        if (surface.fronts == 3) within([&](int i) { meetBox<S, kView, 3>(tile, surface, i); });
         return;
       case CastKind::kEllipsoid:
-        return within([&](int i) { meetEllipsoid<S>(tile, surface, i); });
+        return within([&](int i) { meetEllipsoid<S, kView>(tile, surface, i); });
       case CastKind::kCylinder:
-        return within([&](int i) { meetCylinder<S>(tile, surface, i); });
+        return within([&](int i) { meetCylinder<S, kView>(tile, surface, i); });
+      case CastKind::kCapsule:
+        return within([&](int i) { meetCapsule<S, kView>(tile, surface, i); });
+      case CastKind::kMesh:
+        return castMesh<S, kView>(tile, surface, row.x_low[k], row.x_high[k], row.y_low[k], row.y_high[k]);
       case CastKind::kShadow:
         return;
     }

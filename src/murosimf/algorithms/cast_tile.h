@@ -52,6 +52,19 @@ inline S evaluate(const QuadraticForm& form, S x, S y) {
   return (of_a * a + of_b * b) + S(form.one);
 }
 
+/// The tile's rows that may touch a range of slopes, as bits.
+inline unsigned rowsWithin(const Tile& tile, float y_low, float y_high) {
+  using Eight = Pack<float, 8>;
+  const Eight margin(tile.margin_y), low(y_low), high(y_high);
+  unsigned rows = 0;
+  for (int first = 0; first < kTileSize; first += 8) {
+    const auto touched = (load<Eight>(tile.rays.row_high + first) + margin >= low) &
+                         (load<Eight>(tile.rays.row_low + first) - margin <= high);
+    rows |= laneBits(touched) << first;
+  }
+  return rows & tile.rows;
+}
+
 /// Calls visit(i) for every pack, i its first pixel's index, of the tile's rows that a rectangle of slopes may touch.
 template <class S, class Visit>
 inline void forPacksWithin(const Tile& tile, float x_low, float x_high, float y_low, float y_high, Visit visit) {
@@ -62,9 +75,8 @@ inline void forPacksWithin(const Tile& tile, float x_low, float x_high, float y_
   if (tile.rays.column_high[1] + tile.margin_x < x_low || tile.rays.column_low[1] - tile.margin_x > x_high)
     last = kHalf;
   if (kWidth == kTileSize) first = 0, last = first < last ? kTileSize : 0;
-  for (int row = 0; row < kTileSize; ++row) {
-    if (tile.rays.row_high[row] + tile.margin_y < y_low || tile.rays.row_low[row] - tile.margin_y > y_high) continue;
-    if (!(tile.rows >> row & 1U)) continue;
+  for (unsigned rows = rowsWithin(tile, y_low, y_high); rows != 0; rows &= rows - 1) {
+    const int row = __builtin_ctz(rows);
     for (int column = first; column < last; column += kWidth) visit(row * kTileSize + column);
   }
 }

@@ -70,12 +70,14 @@ void setStrips(const CameraView& view, const PaintedGround& ground, PreparedScen
 
 /// Half of the drawable's extent along z of W [m].
 double heightRange(const Drawable& drawable) {
-  const Vector3& h = drawable.shape.half_size;
+  const Shape outline = outlineOf(drawable);
+  const Vector3& h = outline.half_size;
   const Rotation3& r = drawable.X_WS.rotation;
   const double x = std::fabs(r.x.z) * h.x, y = std::fabs(r.y.z) * h.y, z = std::fabs(r.z.z) * h.z;
-  if (drawable.shape.kind == ShapeKind::kBox) return x + y + z;
+  if (outline.kind == ShapeKind::kBox) return x + y + z;
+  if (outline.kind == ShapeKind::kCapsule) return h.x + z;
   const double across = std::sqrt(x * x + y * y);
-  return drawable.shape.kind == ShapeKind::kCylinder ? across + z : std::sqrt(across * across + z * z);
+  return outline.kind == ShapeKind::kCylinder ? across + z : std::sqrt(across * across + z * z);
 }
 
 /// An ellipse on the ground, L L^T with L = [xx 0; yx yy] [m]: points b + L e, |e| <= 1.
@@ -84,7 +86,9 @@ struct Patch {
 };
 /// A little larger than the drawable seen from above, the more the higher it hangs.
 Patch patchBeneath(const Drawable& drawable, double gap) {
-  const Vector3& h = drawable.shape.half_size;
+  const Shape outline = outlineOf(drawable);
+  const bool rounded = outline.kind == ShapeKind::kCapsule;
+  const Vector3 h = outline.half_size + Vector3{0, 0, rounded ? outline.half_size.x : 0.0};
   const Rotation3& r = drawable.X_WS.rotation;
   const Vector3 axis[3] = {r.x * h.x, r.y * h.y, r.z * h.z};
   const double spread = 0.03 + 0.5 * gap;

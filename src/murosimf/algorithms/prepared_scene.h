@@ -26,6 +26,7 @@ struct PreparedScene {
 
   CastScene cast{};
   std::vector<CastSurface> surfaces;
+  std::vector<CastMeshView> meshes;
   std::vector<Extent> extents;                                      ///< front to back
   std::vector<float> row_x_low, row_x_high, row_y_low, row_y_high;  ///< of all rows of tiles, one after the other
   std::vector<std::int32_t> row_surface;

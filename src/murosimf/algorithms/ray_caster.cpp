@@ -43,7 +43,7 @@ bool isSupported(CastLanes lanes) {
 void prepareScene(const RayTable& rays, const RayScene& scene, const Pose& X_WC, std::span<const std::uint32_t> hidden,
                   PreparedScene& work) {
   const CameraView view = viewOf(scene, X_WC);
-  work.surfaces.clear(), work.extents.clear();
+  work.surfaces.clear(), work.meshes.clear(), work.extents.clear();
   work.cast.has_shadows = 0;
   for (const Drawable& drawable : scene.drawables) {
     if (std::find(hidden.begin(), hidden.end(), drawable.owner) == hidden.end()) addSurface(view, drawable, work);

@@ -3,7 +3,8 @@
 /// @file Pictures of a scene by casting one ray a pixel through the camera's own lens.
 ///
 /// Method     A ray (x, y, 1) meets every surface at an inverse depth w = 1 / z that needs no division: planes are
-///            linear in x and y, ellipsoids and cylinders a root of a quadratic form. The largest w is seen.
+///            linear in x and y, ellipsoids, cylinders and capsules a root of a quadratic form. The largest w is seen.
+///            Meshes: cast_mesh.h.
 ///            Tiles of 16 x 16 pixels keep what may appear in them, by rectangles of slopes; painted lines are filtered
 ///            by the pixel's footprint on the ground, so distant lines grow faint instead of flickering.
 /// Same bits  for 1, 8 and 16 lanes, for g++ and clang, for any cutting into bands: only IEEE +, -, *, /, sqrt on
@@ -11,7 +12,7 @@
 ///            never fused; culling only leaves out what would not have been seen.
 /// Cost       640 x 480 with 170 objects: see bench/camera_benchmark.cpp. No allocation after the first picture.
 /// Limits     camera above the ground (a lower one sees as from 1 mm above it) and outside every drawable; a drawable
-///            that holds the camera is not drawn.
+///            that holds the camera is not drawn, nor is a closed mesh seen from within.
 
 #include <cstdint>
 #include <span>

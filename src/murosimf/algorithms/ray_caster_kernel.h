@@ -21,7 +21,7 @@ inline void castSample(const Tile& tile, const GroundPatch& patch) {
   const bool some_carpet = (carpet.shown & 1U) != 0;
   const bool carpet_ends = some_carpet && ((carpet.sides | carpet.ends) & 1U) != 0;
   castPlane<S>(tile, some_carpet ? g.carpet : g.surroundings);
-  castSurfaces<S>(tile);
+  castSurfaces<S, CastView::kCamera>(tile);
   const bool painted = patch.corners > 0 && addPaint<S>(tile, patch);
   if (painted || carpet_ends) {
     fillPlane<S>(tile, tile.buffer.carpet, some_carpet && !carpet_ends ? 1.0F : 0.0F);

@@ -1,14 +1,16 @@
 #pragma once
 
-/// @file What cameras see: a flat ground with painted lines, and coloured primitive shapes, under one lamp.
+/// @file What cameras see: a flat ground with painted lines, and coloured shapes and meshes, under one lamp.
 ///
 /// Positions are in world frame W: z up, ground at z = 0, field centre at the origin, x towards a goal.
 /// A surface of colour c and normal n appears as c (ambient + (1 - ambient) max(0, n . light)).
 
+#include <memory>
 #include <vector>
 
 #include "murosimf/algorithms/picture.h"
 #include "murosimf/algorithms/shape.h"
+#include "murosimf/algorithms/triangle_mesh.h"
 
 namespace murosimf {
 
@@ -37,12 +39,16 @@ struct PaintedGround {
 };
 
 struct Drawable {
-  Shape shape;  ///< a box, an ellipsoid or a cylinder
+  Shape shape;  ///< any but a convex hull, which is drawn as a mesh; of no meaning where there is a mesh
   Pose X_WS;
   Colour colour;
   std::uint16_t label = 1;  ///< what the label picture shows; 0 is the ground, 65535 the sky
   std::uint32_t owner = 0;  ///< body that it is a part of: cameras name the owners they do not draw. 0: nobody's
+  std::shared_ptr<const TriangleMesh> mesh = nullptr;  ///< drawn in the shape's place, its frame at X_WS
 };
+
+/// What bounds a drawable: its shape, or a box about its mesh.
+inline Shape outlineOf(const Drawable& d) { return d.mesh ? Shape{ShapeKind::kBox, d.mesh->halfSize()} : d.shape; }
 
 struct RayScene {
   PaintedGround ground;

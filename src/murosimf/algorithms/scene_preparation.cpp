@@ -113,6 +113,47 @@ bool prepareCylinder(const CameraView& view, const Drawable& drawable, const Uni
   return s.has_side || s.has_cap;
 }
 
+// The sides of a cylinder without caps, and a sphere at each end.
+bool prepareCapsule(const CameraView& view, const Drawable& drawable, const UnitFrame& f, CastSurface& s) {
+  prepareCylinder(view, drawable, f, s);
+  s.kind = CastKind::kCapsule;
+  const double radius = f.half_size.x;
+  s.end_light = formOf(view.lamp_C * (1.0 / radius));
+  for (int k = 0; k < 2; ++k) {
+    const Vector3 middle = f.X_CS * Vector3{0, 0, k == 0 ? f.half_size.z : -f.half_size.z},
+                  o = middle * (-1.0 / radius);
+    const double c = squaredNorm(o) - 1.0;
+    if (c < 1e-9) return false;
+    const Vector3 row[3] = {{1.0 / radius, 0, 0}, {0, 1.0 / radius, 0}, {0, 0, 1.0 / radius}};
+    s.end_root[k] = rootOf(row, o, middle, 1.0 / (c * c));
+    s.end_rest[k] = formOf(o * (-1.0 / (c * radius)));
+    s.end_light_w[k] = static_cast<float>(dot(view.lamp_C, o));
+  }
+  return s.has_side || std::fabs(f.o.z) > 1.0;
+}
+
+bool prepare(const CameraView& view, const Drawable& drawable, const UnitFrame& frame, PreparedScene& work,
+             CastSurface& s) {
+  if (drawable.mesh) {
+    s.kind = CastKind::kMesh, s.mesh = static_cast<std::int32_t>(work.meshes.size());
+    work.meshes.push_back(meshFromCamera(*drawable.mesh, frame.X_CS, view.lamp_C));
+    return true;
+  }
+  switch (drawable.shape.kind) {
+    case ShapeKind::kBox:
+      return prepareBox(view, drawable, frame, s);
+    case ShapeKind::kEllipsoid:
+      return prepareEllipsoid(frame, s);
+    case ShapeKind::kCylinder:
+      return prepareCylinder(view, drawable, frame, s);
+    case ShapeKind::kCapsule:
+      return prepareCapsule(view, drawable, frame, s);
+    case ShapeKind::kConvex:
+      break;
+  }
+  return false;
+}
+
 }  // namespace
 
 LinearForm formOf(const Vector3& v) {
@@ -135,16 +176,14 @@ CameraView viewOf(const RayScene& scene, const Pose& X_WC) {
 
 void addSurface(const CameraView& view, const Drawable& drawable, PreparedScene& work) {
   const UnitFrame frame = unitFrameOf(view, drawable);
-  const SlopeRectangle seen = rectangleOf(drawable.shape, frame.X_CS);
+  const Shape outline = outlineOf(drawable);
+  const SlopeRectangle seen = rectangleOf(outline, frame.X_CS);
   if (seen.isEmpty()) return;
   CastSurface s{};
-  const bool visible = drawable.shape.kind == ShapeKind::kBox         ? prepareBox(view, drawable, frame, s)
-                       : drawable.shape.kind == ShapeKind::kEllipsoid ? prepareEllipsoid(frame, s)
-                                                                      : prepareCylinder(view, drawable, frame, s);
-  if (!visible) return;
+  if (!prepare(view, drawable, frame, work, s)) return;
   s.label = drawable.label;
   s.colour = {drawable.colour.red, drawable.colour.green, drawable.colour.blue};
-  const double nearest = frame.X_CS.translation.z - boundingRadius(drawable.shape);
+  const double nearest = frame.X_CS.translation.z - boundingRadius(outline);
   work.extents.push_back({seen.x_low, seen.x_high, seen.y_low, seen.y_high,
                           static_cast<float>(1.0 / std::max(nearest, kNearest)),
                           static_cast<std::int32_t>(work.surfaces.size())});
@@ -182,7 +221,8 @@ void sortIntoRows(const RayTable& rays, PreparedScene& work) {
     row.surface = work.row_surface.data() + begin;
     begin += (static_cast<std::size_t>(row.count) + kLanesAtMost - 1) / kLanesAtMost * kLanesAtMost;
   }
-  work.cast.surfaces = work.surfaces.data(), work.cast.rows = work.rows.data();
+  work.cast.surfaces = work.surfaces.data(), work.cast.meshes = work.meshes.data();
+  work.cast.rows = work.rows.data();
 }
 
 }  // namespace murosimf

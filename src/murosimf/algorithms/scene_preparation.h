@@ -22,6 +22,9 @@ LinearForm formOf(const Vector3& v);
 /// A colour in the light that falls on a surface whose normal has this cosine with the lamp's direction.
 CastColour litColour(const CameraView& view, const Colour& colour, double cosine, double factor = 1.0);
 
+/// A mesh as rays meet it, whose pose in the camera's frame is X_CS.
+CastMeshView meshFromCamera(const TriangleMesh& mesh, const Pose& X_CS, const Vector3& lamp_C);
+
 /// Appends a drawable to work.surfaces and work.extents, unless it lies behind the camera or holds it.
 void addSurface(const CameraView& view, const Drawable& drawable, PreparedScene& work);
 /// The same for its soft shadow on the ground; none when it stands higher than 0.2 m.

@@ -72,13 +72,19 @@ void includeBox(const Vector3& p, const Vector3 (&axis)[3], Range& x, Range& y) 
 SlopeRectangle rectangleOf(const Shape& shape, const Pose& X_CS) {
   const Rotation3& r = X_CS.rotation;
   const Vector3& p = X_CS.translation;
-  const Vector3 axis[3] = {r.x * shape.half_size.x, r.y * shape.half_size.y, r.z * shape.half_size.z};
+  Vector3 axis[3] = {r.x * shape.half_size.x, r.y * shape.half_size.y, r.z * shape.half_size.z};
   Range x, y;
   bool found = false;
   if (shape.kind == ShapeKind::kEllipsoid) found = includeEllipsoid(p, axis, x, y);
   if (shape.kind == ShapeKind::kCylinder) {
     const Vector3 disc[3] = {axis[0], axis[1], {0, 0, 0}};
     found = includeEllipsoid(p + axis[2], disc, x, y) && includeEllipsoid(p - axis[2], disc, x, y);
+  }
+  if (shape.kind == ShapeKind::kCapsule) {
+    const double radius = shape.half_size.x;
+    const Vector3 ball[3] = {r.x * radius, r.y * radius, r.z * radius};
+    found = includeEllipsoid(p + axis[2], ball, x, y) && includeEllipsoid(p - axis[2], ball, x, y);
+    axis[2] = r.z * (shape.half_size.z + radius);
   }
   if (!found) x = y = {}, includeBox(p, axis, x, y);
   return widened(x, y);
