@@ -124,7 +124,46 @@ TEST(RobotFile, SharesOneHullAmongAllUsesOfAMeshOfOneScale) {
   EXPECT_EQ(r.shapes()[0].hull, r.shapes()[1].hull);
   EXPECT_NE(r.shapes()[0].hull, r.shapes()[2].hull);
   EXPECT_NEAR(r.shapes()[2].shape.half_size.z, 0.1, 1e-8);
-  EXPECT_EQ(r.diagnostics.text(), kData + "test.urdf:5: warning: <visual>: meshes are drawn as their bounding boxes\n");
+  EXPECT_EQ(r.diagnostics.text(), "");
+  EXPECT_EQ(r.shapes()[0].mesh->triangleCount(), 12);
+  EXPECT_EQ(r.shapes()[1].mesh, nullptr) << "not drawn";
+}
+
+TEST(RobotFile, DrawsMeshesAsTheirTrianglesAndNotAsTheirHulls) {
+  const Folder folder;
+  const std::string chair =  // an L of two squares that meet in an edge: its hull has other faces
+      folder.write("chair.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 0 1 1\nf 1 2 3 4\nf 1 4 6 5\n");
+  const Reading r = read("<visual><origin xyz='1 0 0'/>" + geometry(mesh(chair, "scale='0.1 0.1 -0.1'")) + "</visual>");
+  ASSERT_TRUE(r.model.has_value()) << r.diagnostics.text();
+  ASSERT_EQ(r.shapes().size(), 1U);
+  EXPECT_EQ(r.shapes()[0].mesh->triangleCount(), 4);
+  EXPECT_FALSE(r.shapes()[0].mesh->isClosed());
+  EXPECT_EQ(r.shapes()[0].hull, nullptr) << "it touches nothing";
+  EXPECT_NEAR(norm(r.shapes()[0].X_BS.translation - Vector3{1.05, 0.05, -0.05}), 0, 1e-8) << "middle of its box";
+}
+
+TEST(RobotFile, DrawsFlatMeshesThatCannotCollide) {
+  const Reading r = read("<visual>" + geometry(mesh("meshes/square.stl")) + "</visual>");
+  ASSERT_TRUE(r.model.has_value()) << r.diagnostics.text();
+  EXPECT_EQ(r.shapes()[0].mesh->triangleCount(), 2);
+}
+
+TEST(RobotFile, TakesColoursOfAMeshFromItsFileWhereItNamesNone) {
+  const Folder folder;
+  folder.write("two.mtl", "newmtl rust\nKd 0.7 0.2 0.1\nnewmtl sky\nKd 0.1 0.2 0.9\n");
+  const std::string file = folder.write(
+      "two.obj", "mtllib two.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nusemtl rust\nf 1 2 3\nusemtl sky\nf 1 3 4\n");
+  const MeshFile own = readMeshFile(file);
+  ASSERT_EQ(own.colours.size(), 2U);
+  EXPECT_EQ(own.colours[0], (Colour{0.7F, 0.2F, 0.1F}));
+  EXPECT_EQ(own.colours[1], (Colour{0.1F, 0.2F, 0.9F}));
+  const std::string shape = geometry(mesh(file));
+  const Reading r = read("<visual>" + shape + "</visual><visual>" + shape +
+                         "<material name='grey'><color rgba='0.5 0.5 0.5 1'/></material></visual>");
+  ASSERT_TRUE(r.model.has_value()) << r.diagnostics.text();
+  EXPECT_NE(r.shapes()[0].mesh->cast().colours, nullptr);
+  EXPECT_EQ(r.shapes()[1].mesh->cast().colours, nullptr) << "the robot file's colour";
+  EXPECT_TRUE(readMeshFile(kData + "meshes/cube.stl").colours.empty());
 }
 
 TEST(RobotFile, ReadsTextAndBinaryStlAndObjAlike) {
@@ -133,9 +172,11 @@ TEST(RobotFile, ReadsTextAndBinaryStlAndObjAlike) {
   const std::string object =
       folder.write("object.obj", "v 0 0 0\nv 0.5 0 0\nv 0 0.5 0\nv 0 0 0.5\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
   const std::vector<Vector3> corners{{0, 0, 0}, {0, 0, 0.5}, {0, 0.5, 0}, {0.5, 0, 0}};
-  EXPECT_EQ(readMeshPoints(binary).points, corners);
-  EXPECT_EQ(readMeshPoints(object).points, corners);
-  EXPECT_EQ(readMeshPoints(kData + "meshes/cube.stl").points.size(), 8U);
+  EXPECT_EQ(readMeshFile(binary).points, corners);
+  EXPECT_EQ(readMeshFile(object).points, corners);
+  EXPECT_EQ(readMeshFile(object).triangles, (std::vector<TriangleCorners>{{0, 2, 3}, {0, 3, 1}, {0, 1, 2}, {3, 2, 1}}));
+  EXPECT_EQ(readMeshFile(kData + "meshes/cube.stl").points.size(), 8U);
+  EXPECT_EQ(readMeshFile(kData + "meshes/cube.stl").triangles.size(), 12U);
 }
 
 TEST(RobotFile, FindsMeshesByPackagesAboveItAndThenByRosPackagePath) {
@@ -212,21 +253,26 @@ TEST(RobotFile, WarnsOfHullsWithManyVerticesAndRefusesTooManyCorners) {
   EXPECT_NE(refused.diagnostics.text().find("has 100001 corners, expected at most 100000: simplify it"),
             std::string::npos)
       << refused.diagnostics.text();
+  const std::vector<Triangle> many(200001, tetrahedron(0.5F)[0]);
+  const Reading slow = read("<visual>" + geometry(mesh(folder.write("many.stl", binaryStl(many)))) + "</visual>");
+  EXPECT_NE(slow.diagnostics.text().find("has 200001 triangles, expected at most 200000: simplify it"),
+            std::string::npos)
+      << slow.diagnostics.text();
 }
 
 TEST(RobotFile, DamagedMeshesNeverCrashTheReader) {
   const Folder folder;
   const std::string whole = binaryStl(tetrahedron(0.5F));
   for (std::size_t length = 0; length <= whole.size(); length += 7)
-    readMeshPoints(folder.write("cut.stl", whole.substr(0, length)));
+    readMeshFile(folder.write("cut.stl", whole.substr(0, length)));
   for (std::size_t at = 80; at < whole.size(); ++at) {
     std::string changed = whole;
     changed[at] = static_cast<char>(changed[at] ^ 0xff);
-    const MeshPoints read = readMeshPoints(folder.write("changed.stl", changed));
+    const MeshFile read = readMeshFile(folder.write("changed.stl", changed));
     EXPECT_NE(read.points.empty(), read.problem.empty()) << at;
   }
   for (const char* text : {"f 1 2 3\n", "v 0 0 0\nf 1 99 3\nf -7 2 3\n", "v 1 2\nv\nf 1 1 1\n", "solid\nfacet\n"})
-    for (const char* name : {"text.obj", "text.stl"}) readMeshPoints(folder.write(name, text));
+    for (const char* name : {"text.obj", "text.stl"}) readMeshFile(folder.write(name, text));
 }
 
 }  // namespace

@@ -67,23 +67,24 @@ TEST(MeshRobots, OfOneFileShareTheirHulls) {
   EXPECT_EQ(hullOf(1), hullOf(2));
 }
 
-TEST(MeshRobots, AreDrawnAsBoundingBoxesAndCapsulesAsACylinderAndTwoSpheres) {
-  const Tumblers one(kAlone, tumbler(1, "full"));
-  RayScene scene = one.simulation->view().initialScene();
-  one.simulation->step();
-  one.simulation->view().snapshot(0, scene);
-  const std::uint16_t label = one.simulation->view().labelOf(one.robot(1));
+TEST(MeshRobots, AreDrawnAsTheirTrianglesWhichRobotsOfOneFileShare) {
+  const Tumblers two(kAlone, tumbler(1, "full") + tumbler(2, "full", "[1, 0, 0]"));
+  RayScene scene = two.simulation->view().initialScene();
+  two.simulation->step();
+  two.simulation->view().snapshot(0, scene);
   std::vector<Drawable> drawn;
-  for (const Drawable& d : scene.drawables)
-    if (d.label == label) drawn.push_back(d);
-  ASSERT_EQ(drawn.size(), 4U);
-  EXPECT_EQ(drawn[0].shape.kind, ShapeKind::kBox);
-  EXPECT_NEAR(norm(drawn[0].shape.half_size - Vector3{0.05, 0.05, 0.05}), 0, 1e-8);
-  EXPECT_EQ(drawn[1].shape.kind, ShapeKind::kCylinder);
-  for (const std::size_t end : {2U, 3U}) {
-    EXPECT_EQ(drawn[end].shape, makeSphere(0.015));
-    EXPECT_NEAR(norm(drawn[end].X_WS.translation - drawn[1].X_WS.translation), 0.035, 1e-12);
+  for (const Drawable& d : scene.drawables) {
+    const bool of_robots = d.label == two.simulation->view().labelOf(two.robot(1)) ||
+                           d.label == two.simulation->view().labelOf(two.robot(2));
+    if (of_robots) drawn.push_back(d);
   }
+  ASSERT_EQ(drawn.size(), 4U);
+  ASSERT_NE(drawn[0].mesh, nullptr);
+  EXPECT_EQ(drawn[0].mesh, drawn[2].mesh);
+  EXPECT_EQ(drawn[0].mesh->triangleCount(), 12);
+  EXPECT_NEAR(norm(drawn[0].mesh->halfSize() - Vector3{0.05, 0.05, 0.05}), 0, 1e-8);
+  EXPECT_EQ(drawn[1].shape.kind, ShapeKind::kCapsule);
+  EXPECT_EQ(drawn[1].mesh, nullptr);
 }
 
 /// A cube of 0.1 m and 1 kg, as a file.

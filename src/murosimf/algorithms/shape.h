@@ -4,7 +4,7 @@
 ///
 /// A shape stands in its own frame S: origin at its centre, the axis of a cylinder or capsule along z. Its place on a
 /// body B is a constant X_BS kept beside it, and so are the vertices of a convex hull (collision/hull_shape.h). Cameras
-/// draw boxes, ellipsoids and cylinders; what they draw for the two others: modules/camera/scene_view.h.
+/// draw all but hulls, which they draw as meshes (triangle_mesh.h).
 
 #include <cstdint>
 

@@ -18,6 +18,7 @@
 #include "murosimf/algorithms/collision/convex_hull.h"
 #include "murosimf/algorithms/shape.h"
 #include "murosimf/algorithms/tree_table.h"
+#include "murosimf/algorithms/triangle_mesh.h"
 #include "murosimf/robot/mass_properties.h"
 #include "murosimf/world/diagnostics.h"
 
@@ -39,13 +40,15 @@ struct TreeElement {
 /// One shape of a body.
 struct BodyShape {
   Shape shape{};
-  Pose X_BS{};                               ///< place on the body
-  Colour colour{};                           ///< where it is drawn and `team_colour` is false
-  bool team_colour = false;                  ///< drawn in the colour of the robot's team
-  bool drawn = true;                         ///< seen by cameras and viewers
-  bool collides = true;                      ///< takes part in contacts
-  std::string surface = "default";           ///< name by which a scenario sets the parameters of pairs of surfaces
-  std::shared_ptr<const ConvexHull> hull{};  ///< of a kConvex shape, in S
+  Pose X_BS{};                                 ///< place on the body
+  Colour colour{};                             ///< where it is drawn and `team_colour` is false
+  bool team_colour = false;                    ///< drawn in the colour of the robot's team
+  bool drawn = true;                           ///< seen by cameras and viewers
+  bool collides = true;                        ///< takes part in contacts
+  std::string surface = "default";             ///< name by which a scenario sets the parameters of pairs of surfaces
+  std::shared_ptr<const ConvexHull> hull{};    ///< of a kConvex shape, in S
+  std::shared_ptr<const TriangleMesh> mesh{};  ///< drawn in the shape's place, in S; none: the shape itself
+  std::string mesh_source{};                   ///< file and scale of what `hull` and `mesh` were made of
   SourceLocation where{};
 };
 

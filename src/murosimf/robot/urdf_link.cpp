@@ -63,27 +63,27 @@ void readColour(const XmlElement& visual, const RobotPart& robot, BodyShape& sha
 }
 
 /// What <visual> and <collision> have in common.
-std::optional<BodyShape> readPlacedShape(const XmlElement& element, RobotPart& robot) {
+std::optional<BodyShape> readPlacedShape(const XmlElement& element, GeometryUse use, RobotPart& robot) {
   BodyShape out;
   out.where = element.where();
   out.X_BS = readOrigin(element);
   const int before = element.diagnostics().errorCount();
   const std::optional<XmlElement> geometry = element.requiredChild("geometry");
-  if (!geometry || element.diagnostics().errorCount() != before || !readGeometry(*geometry, robot, out))
+  if (!geometry || element.diagnostics().errorCount() != before || !readGeometry(*geometry, use, robot, out))
     return std::nullopt;
   return out;
 }
 
-void warnOfDrawnMesh(const XmlElement& visual, RobotPart& robot) {
-  if (!robot.draws_meshes) visual.warning("meshes are drawn as their bounding boxes");
-  robot.draws_meshes = true;
+/// A colour in the robot file stands above those in a mesh's own file.
+GeometryUse useOf(const XmlElement& visual) {
+  const bool told = visual.child("material").has_value() || visual.child("murosimf").has_value();
+  return told ? GeometryUse::kDrawn : GeometryUse::kDrawnInItsOwnColours;
 }
 
 void readVisuals(const XmlElement& link, RobotPart& robot, Body& body) {
   for (const XmlElement& visual : link.children("visual")) {
     visual.accept({"name"}, {"origin", "geometry", "material", "murosimf"});
-    std::optional<BodyShape> shape = readPlacedShape(visual, robot);
-    if (shape && shape->hull) warnOfDrawnMesh(visual, robot);
+    std::optional<BodyShape> shape = readPlacedShape(visual, useOf(visual), robot);
     BodyShape unknown;  // so that the colour's mistakes are found even where the shape is wrong
     BodyShape& target = shape ? *shape : unknown;
     readColour(visual, robot, target);
@@ -92,22 +92,27 @@ void readVisuals(const XmlElement& link, RobotPart& robot, Body& body) {
   }
 }
 
+bool isSame(const BodyShape& drawn, const BodyShape& touching) {
+  if (drawn.mesh_source != touching.mesh_source || drawn.X_BS != touching.X_BS) return false;
+  return touching.hull != nullptr || drawn.shape == touching.shape;
+}
+
 /// A collision shape that equals a drawn one in form and place is the same shape, drawn and touching.
 void readCollisions(const XmlElement& link, const std::string& surface_of_link, RobotPart& robot, Body& body) {
   for (const XmlElement& collision : link.children("collision")) {
     collision.accept({"name"}, {"origin", "geometry", "murosimf"});
-    std::optional<BodyShape> shape = readPlacedShape(collision, robot);
+    std::optional<BodyShape> shape = readPlacedShape(collision, GeometryUse::kTouching, robot);
     std::string surface = surface_of_link;
     if (const std::optional<XmlElement> extension = collision.child("murosimf")) {
       extension->accept({"surface"});
       surface = extension->text("surface");
     }
     if (!shape) continue;
-    const auto same = std::find_if(body.shapes.begin(), body.shapes.end(), [&](const BodyShape& drawn) {
-      return !drawn.collides && drawn.shape == shape->shape && drawn.hull == shape->hull && drawn.X_BS == shape->X_BS;
-    });
+    const auto same = std::find_if(body.shapes.begin(), body.shapes.end(),
+                                   [&](const BodyShape& drawn) { return !drawn.collides && isSame(drawn, *shape); });
     shape->drawn = false;
     BodyShape& kept = same != body.shapes.end() ? *same : body.shapes.emplace_back(*shape);
+    kept.shape = shape->shape, kept.hull = shape->hull;
     kept.collides = true;
     kept.surface = surface;
   }

@@ -49,6 +49,14 @@ struct JointPart {
 
 using PropertyPart = std::pair<PropertyKey, PropertyText>;
 
+/// A mesh in a frame S at the centre of its bounding box, parallel to the frame L of its file.
+struct DrawnMesh {
+  Vector3 p_LS{};  ///< [m]
+  std::shared_ptr<const TriangleMesh> mesh{};
+};
+/// What a <geometry> is read for.
+enum class GeometryUse { kTouching, kDrawn, kDrawnInItsOwnColours };
+
 struct RobotPart {
   std::string name{};
   SourceLocation where{};
@@ -56,8 +64,8 @@ struct RobotPart {
   int ignore_within = 1;            ///< joints between bodies that never touch
   std::map<std::string, Colour> materials{};
   std::map<std::string, ServoParameters> servo_types{};
-  std::map<std::string, HullShape> hulls{};  ///< of meshes, by file and scale
-  bool draws_meshes = false;                 ///< some <visual> has a mesh
+  std::map<std::string, HullShape> hulls{};         ///< of meshes that touch, by file and scale
+  std::map<std::string, DrawnMesh> drawn_meshes{};  ///< likewise; those in the colours of their file by a longer name
   std::vector<LinkPart> links{};
   std::vector<JointPart> joints{};
   std::vector<std::pair<Reference, Reference>> ignored_pairs{};
@@ -82,9 +90,9 @@ std::string nearestKey(const Diagnostics& diagnostics, const std::string& word,
   return nearestName(diagnostics, word, std::move(keys));
 }
 
-/// The one shape of a <geometry>: overwrites out.shape and out.hull, and moves out.X_BS, given as the origin's place,
-/// to the shape's. @return whether there is one; where not, an error was reported
-bool readGeometry(const XmlElement& geometry, RobotPart& robot, BodyShape& out);
+/// The one shape of a <geometry>: overwrites out.shape, out.hull or out.mesh, and moves out.X_BS, given as the origin's
+/// place, to the shape's. @return whether there is one; where not, an error was reported
+bool readGeometry(const XmlElement& geometry, GeometryUse use, RobotPart& robot, BodyShape& out);
 /// <material> definitions with a colour, at the top and within visuals.
 void readMaterials(const XmlElement& robot_element, RobotPart& robot);
 /// <murosimf> of the robot: servo types, surface, ignored contacts, properties.

@@ -30,7 +30,7 @@ std::vector<PlacedShape> shapesOf(const RobotBlueprint& b, const Colour& team_co
     for (const BodyShape& s : b.model.tree.bodies[i].shapes) {
       const MountPlace place = placeOn(b, static_cast<int>(i), s.X_BS);
       shapes.push_back({place.row, place.X_RM, s.shape, s.team_colour ? team_colour : s.colour, s.surface, s.collides,
-                        s.drawn, touchSensorOf(b.model, i), s.hull});
+                        s.drawn, touchSensorOf(b.model, i), s.hull, s.mesh});
     }
   }
   return shapes;

@@ -45,8 +45,9 @@ struct PlacedShape {
   Colour colour;
   std::string surface;  ///< surface type, for the table of surface pairs
   bool collides = true, drawn = true;
-  int touch_sensor = -1;                             ///< that feels it, counted in the robot's; -1: none
-  std::shared_ptr<const ConvexHull> hull = nullptr;  ///< of a kConvex shape, in S; one for all robots of a file
+  int touch_sensor = -1;                               ///< that feels it, counted in the robot's; -1: none
+  std::shared_ptr<const ConvexHull> hull = nullptr;    ///< of a kConvex shape, in S; one for all robots of a file
+  std::shared_ptr<const TriangleMesh> mesh = nullptr;  ///< drawn in the shape's place, in S; shared likewise
   friend bool operator==(const PlacedShape&, const PlacedShape&) = default;
 };
 

@@ -9,16 +9,14 @@ namespace murosimf {
 namespace {
 constexpr std::uint32_t kRowsPerOwner = 256;
 
-struct DrawnPart {
-  Shape shape;
-  Pose X_BS;
-};
-std::vector<DrawnPart> drawnParts(const Shape& shape, const Pose& X_BS) {
-  const Vector3& a = shape.half_size;
-  if (shape.kind == ShapeKind::kConvex) return {{{ShapeKind::kBox, a}, X_BS}};
-  if (shape.kind != ShapeKind::kCapsule) return {{shape, X_BS}};
-  const auto end = [&](double z) { return DrawnPart{makeSphere(a.x), {X_BS.rotation, X_BS * Vector3{0, 0, z}}}; };
-  return {{{ShapeKind::kCylinder, a}, X_BS}, end(a.z), end(-a.z)};
+/// A hull's faces, each cut into a fan.
+std::shared_ptr<const TriangleMesh> meshOf(const ConvexHull& hull) {
+  std::vector<TriangleCorners> triangles;
+  for (const ConvexHull::Face& face : hull.faces()) {
+    const std::span<const int> corner = hull.corners(face);
+    for (std::size_t k = 2; k < corner.size(); ++k) triangles.push_back({corner[0], corner[k - 1], corner[k]});
+  }
+  return std::make_shared<const TriangleMesh>(hull.vertices(), triangles);
 }
 }  // namespace
 
@@ -56,16 +54,20 @@ void SceneView::addShapes(const World& world, ObjectId object, const Pose& X_WB,
   for (const PlacedShape& s : *world.findShared(object, kShapes)) {
     if (!s.drawn) continue;
     source.row = s.row;
-    for (const DrawnPart& part : drawnParts(s.shape, s.X_BS)) {
-      source.X_BS = part.X_BS;
-      sources_.push_back(source);
-      Drawable& drawable = initial_.drawables.emplace_back();
-      drawable.shape = part.shape;
-      drawable.X_WS = X_WB * part.X_BS;
-      drawable.colour = s.colour;
-      drawable.label = label;
-      drawable.owner = label * kRowsPerOwner + static_cast<std::uint32_t>(s.row);
+    source.X_BS = s.X_BS;
+    sources_.push_back(source);
+    Drawable& drawable = initial_.drawables.emplace_back();
+    drawable.shape = s.shape;
+    drawable.mesh = s.mesh;
+    if (!s.mesh && s.hull) {
+      std::shared_ptr<const TriangleMesh>& made = meshes_of_hulls_[s.hull.get()];
+      if (!made) made = meshOf(*s.hull);
+      drawable.mesh = made;
     }
+    drawable.X_WS = X_WB * s.X_BS;
+    drawable.colour = s.colour;
+    drawable.label = label;
+    drawable.owner = label * kRowsPerOwner + static_cast<std::uint32_t>(s.row);
   }
 }
 

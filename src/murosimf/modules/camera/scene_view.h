@@ -3,11 +3,14 @@
 /// @file The world as cameras see it: a snapshot of everything drawn, at one moment.
 ///
 /// Built once from the shapes of robots, free bodies and fixed objects; afterwards only poses change. A snapshot is
-/// immutable while cameras look at it, so physics may go on. A capsule is drawn as a cylinder and two spheres, a convex
-/// hull as its bounding box.
+/// immutable while cameras look at it, so physics may go on. A shape that has a mesh is drawn as its triangles, a
+/// convex hull as its faces.
 
+#include <map>
+#include <memory>
 #include <vector>
 
+#include "murosimf/algorithms/collision/convex_hull.h"
 #include "murosimf/algorithms/ray_scene.h"
 #include "murosimf/linking/body_path.h"
 #include "murosimf/linking/outside_access.h"
@@ -42,6 +45,7 @@ class SceneView {
 
   RayScene initial_;
   std::vector<Source> sources_;  // one per drawable
+  std::map<const ConvexHull*, std::shared_ptr<const TriangleMesh>> meshes_of_hulls_;
   std::vector<ObjectId> robots_, labelled_;
   std::vector<BodyPath> paths_;
   std::vector<Handle<Pose>> bodies_;
