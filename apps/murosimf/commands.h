@@ -21,6 +21,18 @@ struct RunArguments {
 
 /// Plays a scenario and writes report, pictures and film.
 int runScenario(const RunArguments& arguments);
+struct RenderArguments {
+  std::string scenario;
+  std::vector<std::string> overrides;  ///< PATH=VALUE
+  std::vector<std::string> cameras;    ///< paths; none: all
+  double at = 0;                       ///< time of the picture, of a dataset's first ones [s]
+  std::string as = "colour";           ///< colour, depth, labels or boxes
+  std::string out = "picture.png";
+  double every = 0;     ///< time between pictures of a dataset [s]
+  std::string dataset;  ///< folder; empty: one picture
+};
+/// Plays a scenario and writes a picture of a robot's camera, or a set of them with what is seen in them.
+int renderPictures(const RenderArguments& arguments);
 struct LevelsArguments {
   int robots = 24;
   double seconds = 10, speed = 0.15;  ///< of the walk [s], [m/s]

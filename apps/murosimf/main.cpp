@@ -1,4 +1,4 @@
-// The command line: murosimf run | check | modules | compare | levels.
+// The command line: murosimf run | render | check | modules | compare | levels.
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -31,12 +31,36 @@ void addRun(CLI::App& app, RunArguments& run) {
   command->add_option("--from", run.from, "continue from this checkpoint");
 }
 
+void addRender(CLI::App& app, RenderArguments& render) {
+  CLI::App* command = app.add_subcommand("render", "take pictures of robots' cameras");
+  command->add_option("scenario", render.scenario, "scenario file (.toml)")->required();
+  command->add_option("--set", render.overrides, "PATH=VALUE: change any value of the scenario")
+      ->allow_extra_args(false);
+  command->add_option("--camera", render.cameras, "camera, as robots.red.1.camera; datasets: all where none is named")
+      ->allow_extra_args(false);
+  command->add_option("--at", render.at, "simulated time of the (first) picture [s]")->check(CLI::NonNegativeNumber);
+  CLI::Option* as = command->add_option("--as", render.as, "what the picture shows");
+  as->check(CLI::IsMember({"colour", "depth", "labels", "boxes"}));
+  CLI::Option* out = command->add_option("--out", render.out, "file of the picture (.png)");
+  CLI::Option* dataset = command->add_option("--dataset", render.dataset, "folder for a set of pictures (COCO)");
+  dataset->excludes(as)->excludes(out);
+  CLI::Option* every = command->add_option("--every", render.every, "time between a set's pictures [s]");
+  every->check(CLI::PositiveNumber)->needs(dataset);
+  dataset->needs(every);
+  command->callback([&render] {
+    if (render.dataset.empty() && render.cameras.size() != 1)
+      throw CLI::ValidationError("--camera", "expected once, as --camera robots.red.1.camera");
+  });
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"murosimf: simulates teams of humanoid robots to test their control software"};
   app.set_version_flag("--version", MUROSIMF_VERSION);
   app.require_subcommand(1);
   RunArguments run_arguments;
   addRun(app, run_arguments);
+  RenderArguments render_arguments;
+  addRender(app, render_arguments);
 
   std::vector<std::string> files;
   CLI::App* check = app.add_subcommand("check", "look for mistakes in scenarios (.toml) and robots (.urdf)");
@@ -62,6 +86,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : kWrongInput;
   }
+  if (app.got_subcommand("render")) return renderPictures(render_arguments);
   if (check->parsed()) return checkFiles(files);
   if (modules->parsed()) return printModules(scenario);
   if (levels->parsed()) return printLevels(levels_arguments);

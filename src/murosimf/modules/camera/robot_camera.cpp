@@ -24,7 +24,7 @@ RobotCamera::RobotCamera(const World& world, const SceneView& view, ObjectId rob
   const MountPlace* place = world.findShared(camera, kCameraPlace);
   if (place == nullptr) throw std::invalid_argument(fmt::format("camera {} has no camera_place", path_));
   if (!(period_ >= 1)) throw std::invalid_argument(fmt::format("camera {} has no period of at least one frame", path_));
-  picture_.has_depth = false;  // nobody asks a robot's camera for it
+  picture_.has_depth = settings_.depth;
   row_ = place->row;
   X_BC_ = place->X_RM;
   if (const std::vector<int>* rows = world.findShared(camera, kHiddenRows)) {

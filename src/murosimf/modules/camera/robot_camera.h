@@ -19,6 +19,7 @@ struct RobotCameraSettings {
   double gain = 1;       ///< brightness of the sensor
   /// Four samples a pixel where a silhouette passes, as a real sensor averages light over its pixels.
   bool antialias = false;
+  bool depth = false;  ///< whether pictures have depths
 };
 
 class RobotCamera {
@@ -31,6 +32,7 @@ class RobotCamera {
 
   ObjectId object() const { return object_; }
   const CameraModel& model() const { return rays_->camera(); }
+  const RobotCameraSettings& settings() const { return settings_; }
   /// Time between pictures [frames], not always a whole number.
   double period() const { return period_; }
   /// True when a picture is due at the end of this frame; `frame` = -1 is the moment before the first one. Picture k is

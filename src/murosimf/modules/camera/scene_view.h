@@ -32,6 +32,8 @@ class SceneView {
   /// Label of everything that belongs to an object, from 1; 0 when it is not drawn. Label of an owner's row, for
   /// hiding.
   std::uint16_t labelOf(ObjectId object) const;
+  /// All that is drawn, in the order of their labels.
+  const std::vector<ObjectId>& labelled() const { return labelled_; }
   std::uint32_t ownerOf(ObjectId object, int row) const;
   /// X_WB of a body at the end of a frame.
   Pose bodyPose(ObjectId robot, int row, long frame) const;
