@@ -20,7 +20,7 @@ namespace {
 const std::map<std::string, std::size_t>& commands() {
   static const std::map<std::string, std::size_t> all{
       {"run", 1},   {"key", 1},       {"click", 1}, {"rightclick", 1}, {"doubleclick", 1}, {"drag", 4},
-      {"pull", 4},  {"rightdrag", 4}, {"wheel", 1}, {"open", 1},       {"close", 1},       {"select", 1},
+      {"pull", 4},  {"rightdrag", 4}, {"wheel", 1}, {"type", 1}, {"open", 1},       {"close", 1},       {"select", 1},
       {"show", 2},  {"camera", 6},    {"wait", 1},  {"screenshot", 1}, {"expect", 1}};
   return all;
 }
@@ -82,10 +82,7 @@ void expect(Viewer& viewer, const ScriptLine& line) {
                                      viewer.session().simulation().frame()));
 }
 
-void runFor(Viewer& viewer, double seconds) {
-  const long frames = std::lround(seconds / viewer.session().simulation().frameLength());
-  viewer.session().goBy(frames);
-}
+constexpr long kFramesAPicture = 40;
 
 }  // namespace
 
@@ -122,6 +119,7 @@ void ScriptRunner::moveMouse(Viewer& viewer, const ScriptLine& line) {
     const auto place = ui::places().find(name);
     if (place != ui::places().end()) {
       if (place->second.frame < ImGui::GetFrameCount() - 2) fail(line, fmt::format("\"{}\" is not shown now", name));
+      if (!place->second.visible) fail(line, fmt::format("\"{}\" is scrolled out of sight", name));
       to.u = place->second.u, to.v = place->second.v;
     } else if (line.words.size() == 3) {
       to.u = static_cast<float>(number(line, 1)), to.v = static_cast<float>(number(line, 2));
@@ -154,7 +152,11 @@ void ScriptRunner::moveMouse(Viewer& viewer, const ScriptLine& line) {
 void ScriptRunner::act(Viewer& viewer, const ScriptLine& line) {
   Session& session = viewer.session();
   const std::string& what = line.words[0];
-  if (what == "run") return runFor(viewer, number(line, 1));
+  if (what == "run") {
+    frames_ = std::lround(number(line, 1) / session.simulation().frameLength());
+    return;
+  }
+  if (what == "type") return ImGui::GetIO().AddInputCharactersUTF8(rest(line, 1).c_str());
   if (what == "expect") return expect(viewer, line);
   if (what == "screenshot") return viewer.screenshot(line.words[1]);
   if (what == "select") return static_cast<void>(session.selected = objectNamed(viewer, line, line.words[1]));
@@ -195,6 +197,12 @@ void ScriptRunner::act(Viewer& viewer, const ScriptLine& line) {
 
 bool ScriptRunner::next(Viewer& viewer) {
   mouse_.wheel = 0;
+  if (frames_ > 0) {
+    const long now = std::min(frames_, kFramesAPicture);
+    viewer.session().run(now);
+    frames_ -= now;
+    return true;
+  }
   if (!moves_.empty()) {
     mouse_ = moves_.front();
     moves_.erase(moves_.begin());

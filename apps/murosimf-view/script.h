@@ -8,6 +8,7 @@
 ///     click 400 300            a place in the window
 ///     drag 400 300 500 300     with the left mouse button; `rightdrag`, `pull` (with Ctrl) likewise
 ///     wheel 2                  where the mouse is
+///     type base_pose p         into the field that was clicked
 ///     open Plots               a panel; `close Plots`
 ///     select robots.red.1      an object
 ///     show frames on           a renderer, on all objects; `show frames on robots.red.1` on one
@@ -52,6 +53,7 @@ class ScriptRunner {
   std::size_t next_ = 0;
   Window::ScriptedMouse mouse_;
   std::vector<Window::ScriptedMouse> moves_;  // one a picture, still to come
+  long frames_ = 0;                           // still to be run
 };
 
 }  // namespace murosimf

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "game/game.h"
+#include "murosimf-view/contacts_renderer.h"
 #include "murosimf/world/vocabulary.h"
 
 namespace murosimf {
@@ -38,7 +39,9 @@ Session::Session(Scene scene, const RendererRegistry& registry, Diagnostics& dia
   if (simulation_ == nullptr) return;
   game_ = std::make_unique<GameObservers>(scene_, *simulation_);
   simulation_->observe(&plots_);
-  renderings_ = std::make_unique<Renderings>(registry, simulation_->world(), simulation_->linked(),
+  RendererRegistry all = registry;
+  all.add(ContactsRenderer::entry(*simulation_));
+  renderings_ = std::make_unique<Renderings>(all, simulation_->world(), simulation_->linked(),
                                              drawnObjects(simulation_->world(), simulation_->participants()));
   simulation_->step();
   history_ = std::make_unique<FrameHistory>(*simulation_);
@@ -83,8 +86,15 @@ void Session::advance(double wall_seconds, double budget) {
   measure(wall_seconds);
 }
 
+void Session::run(long frames) {
+  running = false;
+  owed_ = 0;
+  for (long i = 0; i < frames && fault_.empty() && step(); ++i) simulated_ += simulation_->frameLength();
+}
+
+/// While it is paused the last figures stay.
 void Session::measure(double wall_seconds) {
-  wall_ += wall_seconds;
+  wall_ = simulated_ > 0 ? wall_ + wall_seconds : 0;
   if (wall_ < kMeasured) return;
   figures_.factor = simulated_ / wall_;
   wall_ = simulated_ = 0;

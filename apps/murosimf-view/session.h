@@ -48,6 +48,8 @@ class Session {
 
   /// Runs frames for this much wall time: as many as the speed asks for, and no longer than `budget` [s].
   void advance(double wall_seconds, double budget);
+  /// Runs this many frames, however long that takes; pauses.
+  void run(long frames);
   /// Goes forward (or back) by frames, and pauses.
   void goBy(long frames);
   const RunFigures& figures() const { return figures_; }

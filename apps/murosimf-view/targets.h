@@ -12,8 +12,9 @@
 namespace murosimf::ui {
 
 struct Place {
-  float u = 0, v = 0;  ///< of the middle [px]
-  long frame = -1;     ///< in which it was drawn
+  float u = 0, v = 0;    ///< of the middle [px]
+  long frame = -1;       ///< in which it was drawn
+  bool visible = false;  ///< and not scrolled away
 };
 
 inline std::map<std::string, Place>& places() {
@@ -24,7 +25,7 @@ inline std::map<std::string, Place>& places() {
 /// Call behind any widget.
 inline void remember(const std::string& name) {
   const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
-  places()[name] = {0.5F * (a.x + b.x), 0.5F * (a.y + b.y), ImGui::GetFrameCount()};
+  places()[name] = {0.5F * (a.x + b.x), 0.5F * (a.y + b.y), ImGui::GetFrameCount(), ImGui::IsItemVisible()};
 }
 
 inline bool button(const std::string& name, const char* label) {
@@ -37,7 +38,6 @@ inline bool checkbox(const std::string& name, const char* label, bool* value) {
   remember(name);
   return changed;
 }
-/// The part of a label that is shown, for names: before "##".
 inline bool selectable(const std::string& name, const char* label, bool selected) {
   const bool pressed = ImGui::Selectable(label, selected);
   remember(name);

@@ -29,6 +29,8 @@ void SceneViewport::follow(Session& session) {
 void SceneViewport::draw(Session& session, int width, int height) {
   follow(session);
   session.draw(list_);
+  if (see_through) list_.seeThrough(0.4F);
+  drawSelection(session);
   drawPull(session);
   view_ = {camera.model(width, height), camera.pose()};
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -73,6 +75,23 @@ SceneViewport::Pick SceneViewport::pick(int u, int v) {
   const double z = 2 * f * n / (f + n - clip * (f - n));
   const Vector3 ray = rayOf(view_.camera, view_.X_WC, {static_cast<double>(u), static_cast<double>(v)});
   return {seen.label, view_.X_WC.translation + ray * z};
+}
+
+/// A ring on the ground about what is selected, or about what that is a part of.
+void SceneViewport::drawSelection(Session& session) {
+  ObjectId object = session.selected;
+  while (object.valid() && !session.simulation().linked().handle(object, kBasePose).valid()) {
+    object = session.world().parent(object);
+  }
+  if (!object.valid()) return;
+  const Vector3 p_W = session.simulation().linked().handle(object, kBasePose).get().translation;
+  constexpr int kSteps = 32;
+  constexpr double kRadius = 0.17, kHeight = 0.004;  // [m]
+  const auto rim = [&](int step) {
+    const SinCos<double> a = sincos(2 * kPi * step / kSteps);
+    return Vector3{p_W.x + kRadius * a.cos, p_W.y + kRadius * a.sin, kHeight};
+  };
+  for (int i = 0; i < kSteps; ++i) list_.rod(rim(i), rim(i + 1), 0.004, {1.0F, 0.85F, 0.1F});
 }
 
 void SceneViewport::drawPull(Session& session) {

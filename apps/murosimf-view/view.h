@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "murosimf-view/film_strip.h"
 #include "murosimf-view/session.h"
 #include "murosimf/render/gl/gl_renderer.h"
 #include "murosimf/render/orbit_camera.h"
@@ -17,6 +18,9 @@ class SceneViewport {
 
   OrbitCamera camera;
   bool shadows = true;
+  std::string screenshot;  ///< file for the next complete picture of the window; empty: none
+  FilmStrip film;          ///< of the window
+  bool see_through = false;  ///< shapes, so that what lies in them is seen
   bool follows = false;  ///< the camera's target moves with the selected object
 
   /// Draws the session as it is now, over all of the window's picture, words too.
@@ -35,6 +39,7 @@ class SceneViewport {
 
  private:
   void drawTexts() const;
+  void drawSelection(Session& session);
   void drawPull(Session& session);
   void beginPull(Session& session);
   void movePull(Session& session) const;

@@ -89,13 +89,17 @@ void Viewer::drawPanels() {
   for (const auto& p : panels_) p->drawWindow(session_, view_);
 }
 
-void Viewer::saveScreenshot() {
-  if (screenshot_.empty()) return;
+/// Of the window as it is now, where somebody wants one.
+void Viewer::savePicture() {
+  const double time = session_.simulation().time();
+  const bool filmed = view_.film.isDue(time);
+  if (view_.screenshot.empty() && !filmed) return;
   Picture picture;
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   readColours(window_.width(), window_.height(), picture);
-  writePng(screenshot_, picture);
-  screenshot_.clear();
+  if (filmed) view_.film.add(picture, time);
+  if (!view_.screenshot.empty()) writePng(view_.screenshot, picture);
+  view_.screenshot.clear();
 }
 
 void Viewer::drawFrame(double wall_seconds) {
@@ -106,7 +110,7 @@ void Viewer::drawFrame(double wall_seconds) {
   view_.draw(session_, window_.width(), window_.height());
   drawPanels();
   window_.endFrame();
-  saveScreenshot();
+  savePicture();
   window_.show();
 }
 

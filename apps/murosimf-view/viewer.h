@@ -28,7 +28,7 @@ class Viewer {
   SceneViewport& view() { return view_; }
   Panel* panel(const std::string& title);
   /// Written when this picture is complete.
-  void screenshot(std::string file) { screenshot_ = std::move(file); }
+  void screenshot(std::string file) { view_.screenshot = std::move(file); }
   void press(int key);
   bool panels_shown = true;
 
@@ -36,7 +36,7 @@ class Viewer {
   void drawFrame(double wall_seconds);
   void drawMenu();
   void drawPanels();
-  void saveScreenshot();
+  void savePicture();
 
   Window& window_;
   Session& session_;
@@ -44,7 +44,6 @@ class Viewer {
   SceneViewport view_;
   std::vector<std::unique_ptr<Panel>> panels_;
   std::optional<ScriptRunner> script_;
-  std::string screenshot_;
 };
 
 }  // namespace murosimf

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "game/game.h"
@@ -78,7 +79,7 @@ TEST(Push, OfABodyThatIsNotThereIsRefused) {
   EXPECT_THROW(queue.push(0, game.object("ball"), 1, {}, {}), std::invalid_argument);
   EXPECT_THROW(queue.push(0, game.object("robots.red.1"), 99, {}, {}), std::invalid_argument);
   EXPECT_THROW(queue.push(0, game.simulation->world().root(), 0, {}, {}), std::invalid_argument);
-  EXPECT_THROW(queue.push(0, game.object("ball"), 0, {}, {0, 0, INFINITY}), std::invalid_argument);
+  EXPECT_THROW(queue.push(0, game.object("ball"), 0, {}, Vector3{0, 0, HUGE_VAL}), std::invalid_argument);
 }
 
 TEST(Push, AndExchangesOfLevelsStandInRecordings) {

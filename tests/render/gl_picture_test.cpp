@@ -83,10 +83,10 @@ TEST_F(GlPicture, showsTheColourOfAThingWhereTheCameraProjectsIt) {
   };
   const PaintedGround& ground = game.simulation->view().initialScene().ground;
   EXPECT_TRUE(shows({0, 0, 0.07}, *game.scene->ball.colour));
-  EXPECT_TRUE(shows({0.9, 0.9, 0}, ground.carpet));
+  EXPECT_TRUE(shows({0.6, -1.2, 0}, ground.carpet));
   EXPECT_TRUE(shows({0, 1.0, 0}, ground.paint));  // the halfway line
   EXPECT_TRUE(shows({0, 12, 0}, ground.surroundings));
-  EXPECT_TRUE(shows({0, 100, 60}, light.sky));
+  EXPECT_TRUE(shows({-38, 100, 7}, light.sky));
 }
 
 TEST_F(GlPicture, hasAShadowBehindTheBallAndNoneWithoutTheLamp) {

@@ -1,7 +1,13 @@
 #!/usr/bin/env bash
 # The window, driven by a script without a screen: click_through.sh PROGRAM. Needs xvfb-run (packages.txt, view).
 set -euo pipefail
-cd "$(dirname "$0")/../.."
+tree=$(cd "$(dirname "$0")/../.." && pwd)
 command -v xvfb-run > /dev/null || { echo "skipped: no xvfb-run"; exit 77; }
-xvfb-run -a -s "-screen 0 1280x800x24" "$1" scenarios/game_3v3.toml --script tests/window/click_through.txt \
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+xvfb-run -a -s "-screen 0 1280x800x24" "$1" "$tree/scenarios/game_3v3.toml" --script "$tree/tests/window/click_through.txt" \
   --set 'robots.red.3.motion="kinematic_walking, multibody_dynamics@1000"'
+for kind in png mp4; do
+  ls murosimf_*."$kind" > /dev/null || { echo "error: the window wrote no $kind" >&2; exit 1; }
+done

@@ -23,6 +23,10 @@ class ObjectsPanel final : public Panel {
     ImGui::EndChild();
     if (!session.selected.valid()) return ImGui::TextDisabled("nothing selected");
     ImGui::TextUnformatted(session.world().path(session.selected).c_str());
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1);
+    ImGui::InputTextWithHint("##filter", "filter", filter_, sizeof(filter_));
+    ui::remember(named("filter"));
     ImGui::BeginChild("properties");
     drawVariables(session);
     drawConstants(session);
@@ -68,6 +72,7 @@ class ObjectsPanel final : public Panel {
   void drawNumber(Session& session, const ObjectVariable& v, int component, const LinkedWorld& linked) {
     const std::string part = componentName(v.layout->components, component);
     const std::string label = part.empty() ? v.layout->property : v.layout->property + " " + part;
+    if (label.find(filter_) == std::string::npos) return;
     const NumberPlace place{v.assembly, v.layout->property, v.layout->subset, v.object, component};
     ImGui::TableNextColumn();
     ImGui::PushID(component);
@@ -87,6 +92,7 @@ class ObjectsPanel final : public Panel {
     if (!ImGui::CollapsingHeader("constants", ImGuiTreeNodeFlags_DefaultOpen)) return;
     if (!ImGui::BeginTable("constants", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) return;
     for (const auto& [name, entry] : session.world().constants(session.selected)) {
+      if (name.find(filter_) == std::string::npos) continue;
       ImGui::TableNextColumn();
       ImGui::TextUnformatted(name.c_str());
       showMeaning(name);
@@ -105,6 +111,7 @@ class ObjectsPanel final : public Panel {
   }
 
   PropertyWords words_;
+  char filter_[64] = "";
   std::map<ObjectId, std::vector<ObjectId>> children_;
 };
 

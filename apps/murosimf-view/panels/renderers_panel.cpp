@@ -16,6 +16,7 @@ class RenderersPanel final : public Panel {
   void draw(Session& session, SceneViewport& view) override {
     ui::checkbox(named("shadows"), "shadows", &view.shadows);
     ImGui::SameLine();
+    ui::checkbox(named("see through"), "see through", &view.see_through);
     ui::checkbox(named("follow"), "follow selected", &view.follows);
     ImGui::Separator();
     if (!ImGui::BeginTable("renderers", 3, ImGuiTableFlags_RowBg)) return;

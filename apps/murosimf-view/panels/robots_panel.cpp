@@ -26,7 +26,8 @@ class RobotsPanel final : public Panel {
   void drawRobot(Session& session, ObjectId robot, int number) {
     const std::string& path = session.world().path(robot);
     ImGui::TableNextColumn();
-    if (ui::selectable(named(path), path.c_str(), session.selected == robot)) session.selected = robot;
+    const std::string name = path.substr(path.find('.') + 1);  // "red.1"
+    if (ui::selectable(named(path), name.c_str(), session.selected == robot)) session.selected = robot;
     ImGui::TableNextColumn();
     drawLevels(session, robot, path);
     ImGui::TableNextColumn();

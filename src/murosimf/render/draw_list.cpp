@@ -1,5 +1,7 @@
 #include "murosimf/render/draw_list.h"
 
+#include <algorithm>
+
 namespace murosimf {
 
 namespace {
@@ -94,6 +96,17 @@ void DrawList::line(const Vector3& a_W, const Vector3& b_W, const Tint& tint) {
 
 void DrawList::paint(const Vector3& a_W, const Vector3& b_W, const Vector3& c_W, const Tint& tint) {
   for (const Vector3& p : {a_W, b_W, c_W}) painted_.push_back({toPoint({p.x, p.y, 0}), tint});
+}
+
+void DrawList::seeThrough(float cover) {
+  clear_tinted_.resize(std::max(clear_tinted_.size(), solid_.size()));
+  for (std::size_t number = 0; number < solid_.size(); ++number) {
+    const auto shapes = std::stable_partition(solid_[number].begin(), solid_[number].end(),
+                                              [](const MeshInstance& instance) { return instance.id == 0; });
+    for (auto it = shapes; it != solid_[number].end(); ++it) it->tint.cover = cover;
+    clear_tinted_[number].insert(clear_tinted_[number].end(), shapes, solid_[number].end());
+    solid_[number].erase(shapes, solid_[number].end());
+  }
 }
 
 void DrawList::text(const Vector3& p_W, std::string words, const Tint& tint) {

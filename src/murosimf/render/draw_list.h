@@ -67,6 +67,8 @@ class DrawList {
   void line(const Vector3& a_W, const Vector3& b_W, const Tint& tint);
   /// A triangle on the ground (z = 0), over what has been painted before and under everything else.
   void paint(const Vector3& a_W, const Vector3& b_W, const Vector3& c_W, const Tint& tint);
+  /// Lets one see through everything solid that has an id: shapes, not marks.
+  void seeThrough(float cover);
   void text(const Vector3& p_W, std::string words, const Tint& tint);
 
   /// By mesh number. Those that cover all, and those that let see through.

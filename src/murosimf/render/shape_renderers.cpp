@@ -8,7 +8,7 @@ namespace murosimf {
 
 namespace {
 
-constexpr double kHorizon = 120;  // half size of the surroundings [m]
+constexpr double kHorizon = 2e4;  // half size of the surroundings [m]
 
 Tint lit(const Colour& c, float brightness) {
   const auto bright = [&](float x) { return std::min(1.0F, x * brightness); };

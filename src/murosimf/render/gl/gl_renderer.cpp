@@ -135,6 +135,15 @@ void GlRenderer::drawFlat(const std::vector<LineVertex>& vertices, GLenum kind) 
   glDrawArrays(kind, 0, static_cast<GLsizei>(vertices.size()));
 }
 
+/// Paint over paint, as far as the horizon.
+void GlRenderer::drawPaint(const DrawList& list) {
+  glDepthFunc(GL_ALWAYS);
+  glEnable(GL_DEPTH_CLAMP);
+  drawFlat(list.painted(), GL_TRIANGLES);
+  glDisable(GL_DEPTH_CLAMP);
+  glDepthFunc(GL_LESS);
+}
+
 void GlRenderer::drawShadowMap(const DrawList& list, const GlMatrix& shadow_from_world) {
   GLint bound = 0, viewport[4];
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
@@ -177,9 +186,7 @@ void GlRenderer::drawColours(const DrawList& list, const GlView& view, const GlL
   lit_flat_.use();
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-  glDepthFunc(GL_ALWAYS);  // paint over paint
-  drawFlat(list.painted(), GL_TRIANGLES);
-  glDepthFunc(GL_LESS);
+  drawPaint(list);
   lit_meshes_.use();
   drawInstances(list.solid());
   lit_flat_.use();
@@ -204,12 +211,11 @@ void GlRenderer::drawLabels(const DrawList& list, const GlView& view, const GlLa
   const GlMatrix clip = clipFromWorld(view);
   label_flat_.use();
   label_flat_.set("clip_from_world", clip);
-  glDepthFunc(GL_ALWAYS);
-  drawFlat(list.painted(), GL_TRIANGLES);
-  glDepthFunc(GL_LESS);
+  drawPaint(list);
   label_meshes_.use();
   label_meshes_.set("clip_from_world", clip);
   drawInstances(list.solid());
+  drawInstances(list.clearTinted());
 }
 
 }  // namespace murosimf

@@ -42,7 +42,7 @@ class GlRenderer {
 
   /// Draws into what is bound, of the view's size.
   void drawColours(const DrawList& list, const GlView& view, const GlLight& light);
-  /// Draws numbers of instances; 0 for ground, `sky` where nothing is. Lines and what lets see through are left out.
+  /// Draws numbers of instances; 0 for ground, `sky` where nothing is. Lines are left out.
   void drawLabels(const DrawList& list, const GlView& view, const GlLabelTarget& target, std::uint32_t sky);
 
  private:
@@ -55,6 +55,7 @@ class GlRenderer {
   void upload(const MeshLibrary& meshes);
   void drawInstances(const Instances& instances);
   void drawFlat(const std::vector<LineVertex>& vertices, GLenum kind);
+  void drawPaint(const DrawList& list);
   void drawShadowMap(const DrawList& list, const GlMatrix& shadow_from_world);
 
   GlProgram lit_meshes_, lit_flat_, label_meshes_, label_flat_, depth_meshes_;
