@@ -73,7 +73,32 @@ bool Session::step() {
   }
 }
 
+void Session::openRecording(const std::string& file) {
+  closeRecording();
+  simulation_->control()->finish();
+  recording_ = std::make_unique<RecordingPlayer>(file, *simulation_);
+  showRecording(recording_->startTime());
+}
+
+void Session::closeRecording() {
+  running = false;
+  if (recording_ == nullptr) return;
+  recording_.reset();
+  history_->restore();
+}
+
+void Session::showRecording(double time) {
+  running = false;
+  recording_time_ = time;
+  recording_->show(time);
+}
+
 void Session::advance(double wall_seconds, double budget) {
+  if (recording_ != nullptr) {
+    if (!running) return;
+    recording_time_ = std::min(recording_time_ + speed * wall_seconds, recording_->endTime());
+    return recording_->show(recording_time_);
+  }
   if (!running || !fault_.empty()) return measure(wall_seconds);
   const double start = wallClock(), frame = simulation_->frameLength();
   // What could not be run in time is not caught up: the window would jump.
@@ -89,6 +114,7 @@ void Session::advance(double wall_seconds, double budget) {
 void Session::run(long frames) {
   running = false;
   owed_ = 0;
+  if (recording_ != nullptr) return showRecording(recording_time_ + static_cast<double>(frames) * simulation_->frameLength());
   for (long i = 0; i < frames && fault_.empty() && step(); ++i) simulated_ += simulation_->frameLength();
 }
 
@@ -111,6 +137,7 @@ void Session::measure(double wall_seconds) {
 void Session::goBy(long frames) {
   running = false;
   owed_ = 0;
+  if (recording_ != nullptr) return showRecording(recording_time_ + static_cast<double>(frames) * simulation_->frameLength());
   if (!fault_.empty()) return;
   try {
     history_->goTo(simulation_->frame() + frames);
@@ -120,6 +147,9 @@ void Session::goBy(long frames) {
   plots_.forgetAfter(simulation_->time());
 }
 
-void Session::draw(DrawList& list) { renderings_->draw({simulation_->frame() - 1, simulation_->time()}, list); }
+void Session::draw(DrawList& list) {
+  const double time = recording_ == nullptr ? simulation_->time() : recording_->time();
+  renderings_->draw({simulation_->frame() - 1, time}, list);
+}
 
 }  // namespace murosimf

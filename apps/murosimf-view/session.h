@@ -15,6 +15,7 @@
 #include "murosimf-view/pull.h"
 #include "murosimf/render/property_renderer.h"
 #include "murosimf/simulation/frame_history.h"
+#include "murosimf/simulation/recording_player.h"
 
 namespace murosimf {
 
@@ -59,6 +60,14 @@ class Session {
 
   std::optional<Pull> pull;  ///< acts while there is one
 
+  /// Shows a recording in the place of the simulation, until it is closed. @throws as RecordingPlayer
+  void openRecording(const std::string& file);
+  void closeRecording();
+  /// Null while the simulation is shown.
+  RecordingPlayer* recording() { return recording_.get(); }
+  /// Goes to a time of the recording, and pauses.
+  void showRecording(double time);
+
   /// What the simulation threw, after which it does not run any more; empty: nothing.
   const std::string& fault() const { return fault_; }
 
@@ -75,6 +84,8 @@ class Session {
   Plots plots_;
   std::unique_ptr<FrameHistory> history_;
   std::unique_ptr<Renderings> renderings_;
+  std::unique_ptr<RecordingPlayer> recording_;
+  double recording_time_ = 0;
   double owed_ = 0;  // simulated time that is still to be run [s]
   std::string fault_;
   RunFigures figures_;

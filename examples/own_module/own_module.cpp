@@ -4,10 +4,30 @@
 #include <cstdio>
 
 #include "battery.h"
+#include "charge_renderer.h"
 #include "murosimf/modules/all_modules.h"
+#include "murosimf/render/all_renderers.h"
 #include "murosimf/scene/scenario_reader.h"
 #include "murosimf/scene/world_builder.h"
 #include "murosimf/world/vocabulary.h"
+
+namespace {
+
+/// What a window or a picture would show of the robot: bars of batteries among all else. @returns how many
+std::size_t drawBars(murosimf::Simulation& simulation, murosimf::ObjectId robot) {
+  using namespace murosimf;
+  RendererRegistry renderers = allRenderers();
+  renderers.add<ChargeRenderer>({"charge", std::string(kBatteryCharge.name), std::string(subset::kSelf), "", true, {}});
+  Renderings renderings(renderers, simulation.world(), simulation.linked(), {robot});
+  for (const RendererEntry& entry : renderings.entries()) renderings.show(entry.name, entry.name == "charge");
+  MeshLibrary meshes;
+  DrawList list(meshes);
+  renderings.draw({simulation.frame() - 1, simulation.time()}, list);
+  const auto& solid = list.solid();
+  return solid.size() <= MeshLibrary::kCylinder ? 0 : solid[MeshLibrary::kCylinder].size();
+}
+
+}  // namespace
 
 int main(int count, char** words) {
   using namespace murosimf;
@@ -42,5 +62,6 @@ int main(int count, char** words) {
   const double expected = std::fmax(1 - used / capacity, 0.0);
   std::printf("arm at %.3f rad; %.3f J used; charge %.6f, expected %.6f\n", position.get(arm), (1 - left) * capacity,
               left, expected);
+  if (drawBars(*simulation, robot) != 1) return std::puts("its bar is not drawn"), 1;
   return std::fabs(left - expected) < 1e-9 ? 0 : 1;
 }

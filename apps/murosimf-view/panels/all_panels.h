@@ -17,6 +17,7 @@ std::unique_ptr<Panel> makePlotsPanel();       ///< numbers over time
 std::unique_ptr<Panel> makeCamerasPanel();     ///< pictures of robots, with percepts
 std::unique_ptr<Panel> makeMapPanel();         ///< what control software believes, against the truth
 std::unique_ptr<Panel> makePicturesPanel();    ///< screenshots, videos
+std::unique_ptr<Panel> makeRecordingPanel();   ///< shows one in the place of the simulation
 std::unique_ptr<Panel> makeHelpPanel();        ///< keys
 
 std::vector<std::unique_ptr<Panel>> makeAllPanels();

@@ -60,13 +60,21 @@ void FrameHistory::forgetAfter(long frame) {
   last_ = frame;
 }
 
+/// The newest checkpoint that is not later.
+void FrameHistory::load(long frame) {
+  StateArchive archive(std::prev(checkpoints_.upper_bound(frame))->second);
+  simulation_.archive(archive);
+}
+
+void FrameHistory::restore() {
+  const long frame = simulation_.frame();
+  load(frame);
+  goTo(frame);
+}
+
 void FrameHistory::goTo(long frame) {
   frame = std::max(frame, firstFrame());
-  if (frame < simulation_.frame()) {
-    const auto from = std::prev(checkpoints_.upper_bound(frame));
-    StateArchive archive(from->second);
-    simulation_.archive(archive);
-  }
+  if (frame < simulation_.frame()) load(frame);
   while (simulation_.frame() < frame) step();
 }
 

@@ -38,11 +38,15 @@ class FrameHistory {
   /// run.
   void goTo(long frame);
 
+  /// Gives the simulation its state back after somebody has shown another one in its world.
+  void restore();
+
   std::size_t bytes() const { return bytes_; }
   std::size_t checkpointCount() const { return checkpoints_.size(); }
 
  private:
   void keep();
+  void load(long frame);
   void thin();
   void askAgain();
   void forgetAfter(long frame);
