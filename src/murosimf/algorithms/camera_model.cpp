@@ -24,7 +24,10 @@ RaySlopes difference(RaySlopes a, RaySlopes b) { return {a.x - b.x, a.y - b.y}; 
 double length(RaySlopes a) { return std::sqrt(a.x * a.x + a.y * a.y); }
 
 /// Rays are looked for up to this slope.
-double largestSlope(double valid_radius) { return std::min(valid_radius, tan(kLargestAngle)); }
+double largestSlope(double valid_radius) {
+  static const double slope = tan(kLargestAngle);
+  return std::min(valid_radius, slope);
+}
 
 /// What stands in every message about a pixel that the lens cannot see.
 std::string beyondLens(const CameraModel& camera, ImagePoint place, RaySlopes distorted, double valid_radius) {

@@ -8,6 +8,7 @@
 namespace murosimf {
 namespace {
 
+constexpr double kEnough = 1e-7;         ///< what is left is for one more step of whoever asks
 constexpr double kLargestSquare = 1e12;  ///< slopes of a million are as good as infinite
 
 Polynomial numerator(const CameraModel& camera) {
@@ -114,7 +115,7 @@ double radiusOfCurve(const CameraModel& camera, double value, double limit) {
   for (int i = 0; i < 100; ++i) {
     const CurvePoint point = curveAt(camera, r);
     const double excess = point.value - value;
-    if (std::fabs(excess) <= 1e-15 * value) return r;
+    if (std::fabs(excess) <= kEnough * value) return r;
     (excess < 0.0 ? low : high) = r;
     double next = r - excess / point.slope;
     if (!(next > low && next < high)) next = std::isinf(high) ? 2.0 * r : 0.5 * (low + high);

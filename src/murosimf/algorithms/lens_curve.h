@@ -34,8 +34,8 @@ double firstRadiusOfSteepness(const CameraModel& camera, double least);
 /// Smallest r at which the denominator of L vanishes.
 double poleRadius(const CameraModel& camera);
 
-/// The r at which r L(r) has a value, by Newton's method within an interval that closes in. Right where the curve grows
-/// until `limit` and reaches the value; else somewhere within.
+/// The r at which r L(r) has a value, to some 1e-7 of it, by Newton's method within an interval that closes in. Right
+/// where the curve grows until `limit` and reaches the value; else somewhere within.
 double radiusOfCurve(const CameraModel& camera, double value, double limit);
 
 }  // namespace murosimf

@@ -16,7 +16,7 @@ namespace murosimf {
 
 class RayTable {
  public:
-  /// @throws std::invalid_argument as checkCamera() does. Cost: some 40 ms for 640 x 480.
+  /// @throws std::invalid_argument as checkCamera() does. Cost: some 80 ms for 640 x 480.
   explicit RayTable(const CameraModel& camera);
 
   const CameraModel& camera() const { return camera_; }
