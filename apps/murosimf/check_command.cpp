@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <stdexcept>
 
 #include "murosimf/commands.h"
 #include "game/game.h"
 #include "murosimf/linking/schedule.h"
 #include "murosimf/modules/all_modules.h"
+#include "murosimf/robot/calibration_file.h"
 #include "murosimf/robot/urdf_reader.h"
 #include "murosimf/scene/scenario_reader.h"
 
@@ -19,6 +21,17 @@ void checkScenario(const std::string& file, Diagnostics& diagnostics) {
   if (scene) buildGame(*scene, diagnostics);
 }
 
+/// A calibration is right when it can be read and sees all of the picture whose size it tells.
+void checkCalibration(const std::string& file, Diagnostics& diagnostics) {
+  const std::optional<Calibration> calibration = readCalibrationFile(file, diagnostics);
+  if (!calibration || !calibration->has_size) return;
+  try {
+    checkCamera(calibration->camera);
+  } catch (const std::invalid_argument& problem) {
+    diagnostics.error({file, 0, 0}, problem.what());
+  }
+}
+
 }  // namespace
 
 int checkFiles(const std::vector<std::string>& files) {
@@ -29,9 +42,11 @@ int checkFiles(const std::vector<std::string>& files) {
       checkScenario(file, diagnostics);
     } else if (suffix == ".urdf") {
       readUrdf(file, diagnostics);
+    } else if (suffix == ".yaml" || suffix == ".yml" || suffix == ".m") {
+      checkCalibration(file, diagnostics);
     } else {
-      diagnostics.error({file, 0, 0}, fmt::format("file name ends with \"{}\"; expected .toml (scenario) or .urdf "
-                                                  "(robot)",
+      diagnostics.error({file, 0, 0}, fmt::format("file name ends with \"{}\"; expected .toml (scenario), .urdf "
+                                                  "(robot), or .yaml, .yml or .m (calibration of a camera)",
                                                   suffix));
     }
   }

@@ -63,7 +63,8 @@ int run(int argc, char** argv) {
   addRender(app, render_arguments);
 
   std::vector<std::string> files;
-  CLI::App* check = app.add_subcommand("check", "look for mistakes in scenarios (.toml) and robots (.urdf)");
+  CLI::App* check = app.add_subcommand(
+      "check", "look for mistakes in scenarios (.toml), robots (.urdf) and calibrations (.yaml, .m)");
   check->add_option("files", files, "files to check")->required();
 
   std::string scenario;

@@ -1,5 +1,7 @@
 #include "controllers/cast_pictures.h"
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include "murosimf/algorithms/ray_caster.h"
@@ -11,7 +13,9 @@ CameraModel modelOf(const client::CameraDescription& c) {
   CameraModel m;
   m.width = c.width, m.height = c.height;
   m.fx = c.fx, m.fy = c.fy, m.cx = c.cx, m.cy = c.cy, m.skew = c.skew;
-  for (std::size_t i = 0; i < 5; ++i) m.kc[i] = c.kc[i];
+  m.kind = c.lens == client::LensKind::kFisheye ? LensKind::kFisheye : LensKind::kRational;
+  std::copy(std::begin(c.kc), std::end(c.kc), m.kc.begin());
+  m.linear_from = c.linear_from;
   return m;
 }
 

@@ -87,7 +87,7 @@ const std::vector<BrokenFile> kBrokenFiles{
       {11, "attribute \"hfov\" is not between 0 and pi rad"},
       {11, "attribute \"period\" is 0, expected more than 0"},
       {12, "expected either \"hfov\" [rad] or \"fx\" [pixels]"},
-      {12, "\"1 2 3\", expected 5 numbers"},
+      {12, "has 3 numbers, expected 4, 5, 8 or 12"},
       {13, "attribute \"width\" is 640.5, expected a whole number"},
       {14, "\"soul\", which is no sole of this link (did you mean \"sole\"?)"},
       {15, "has 4 numbers, expected three for each point"},

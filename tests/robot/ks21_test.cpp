@@ -129,13 +129,13 @@ TEST(Ks21, CamerasHaveTheFocalLengthsOfTheirAnglesOfView) {
   ASSERT_EQ(ks21().cameras.size(), 2U);
   const CameraMount& chest = ks21().cameras[0];
   const CameraMount& head = ks21().cameras[1];
-  EXPECT_NEAR(head.fx, 554.26, 5e-3);
-  EXPECT_NEAR(chest.fx, 134.26, 5e-3);
-  EXPECT_EQ(head.fx, head.fy);
-  EXPECT_EQ(head.cx, 319.5);  // pixel centres at integers: the middle of 0..639
-  EXPECT_EQ(chest.cy, 119.5);
+  EXPECT_NEAR(head.lens.fx, 554.26, 5e-3);
+  EXPECT_NEAR(chest.lens.fx, 134.26, 5e-3);
+  EXPECT_EQ(head.lens.fx, head.lens.fy);
+  EXPECT_EQ(head.lens.cx, 319.5);  // pixel centres at integers: the middle of 0..639
+  EXPECT_EQ(chest.lens.cy, 119.5);
   EXPECT_EQ(head.period, 0.05);
-  EXPECT_EQ(head.kc[4], -0.015);
+  EXPECT_EQ(head.lens.kc[4], -0.015);
   ASSERT_EQ(head.hidden_bodies.size(), 1U);
   EXPECT_EQ(ks21().tree.bodies[static_cast<std::size_t>(head.hidden_bodies[0])].name, "skull");
 }

@@ -200,10 +200,10 @@ TEST(UrdfReader, AnyPropertyMayBeSetOnAnyObject) {
   EXPECT_EQ(properties.at({"trunk", "paint"}).text, "matt 7");
   EXPECT_EQ(properties.at({"trunk", "paint"}).where.line, 1);
   const CameraMount& eye = r.model->cameras.at(0);
-  EXPECT_EQ(eye.fy, 4);
-  EXPECT_EQ(eye.cx, 1);
-  EXPECT_EQ(eye.cy, 0.5);
-  EXPECT_EQ(eye.skew, 0.1);
+  EXPECT_EQ(eye.lens.fy, 4);
+  EXPECT_EQ(eye.lens.cx, 1);
+  EXPECT_EQ(eye.lens.cy, 0.5);
+  EXPECT_EQ(eye.lens.skew, 0.1);
   EXPECT_EQ(eye.phase, 0.25);
   EXPECT_EQ(eye.X_BC.rotation * kAxisZ, kAxisX);   // looks forward
   EXPECT_EQ(eye.X_BC.rotation * kAxisY, -kAxisZ);  // image rows go down

@@ -48,15 +48,15 @@ TEST(BuilderErrors, WrongParametersOfModules) {
 }
 
 TEST(BuilderErrors, UnknownCameraAndModuleAndParameters) {
-  expectStarts(
-      saidOf("[robots.red.1.cameras]\nhed = {noise = 0.1}\nhead = {module = \"ray_castor\"}\n"
-             "chest = {noise = 0.6, gian = 1.0, gain = 0, antialias = 1}"),
-      {"9:8: robots.red.1 has no camera \"hed\"; it has ",
-       "10:18: robots.red.1: unknown camera module "
-       "\"ray_castor\"; expected none or ray_caster (did you mean \"ray_caster\"?)",
-       "11:18: noise is 0.6, expected a number from 0 to 0.5",
-       "11:23: module ray_caster has no parameter \"gian\"; it knows noise, gain, antialias (did you mean \"gain\"?)",
-       "11:42: gain is 0, expected a number from 0.01 to 100", "11:57: antialias is neither true nor false"});
+  expectStarts(saidOf("[robots.red.1.cameras]\nhed = {noise = 0.1}\nhead = {module = \"ray_castor\"}\n"
+                      "chest = {noise = 0.6, gian = 1.0, gain = 0, antialias = 1}"),
+               {"9:8: robots.red.1 has no camera \"hed\"; it has ",
+                "10:18: robots.red.1: unknown camera module "
+                "\"ray_castor\"; expected none or ray_caster (did you mean \"ray_caster\"?)",
+                "11:18: noise is 0.6, expected a number from 0 to 0.5",
+                "11:23: module ray_caster has no parameter \"gian\"; it knows noise, gain, antialias, lens, "
+                "extrapolate (did you mean \"gain\"?)",
+                "11:42: gain is 0, expected a number from 0.01 to 100", "11:57: antialias is neither true nor false"});
 }
 
 TEST(BuilderErrors, CameraFasterThanItsControlSoftware) {

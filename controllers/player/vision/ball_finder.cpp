@@ -141,8 +141,8 @@ PixelPoint pixelOf(const PictureView& view, const Vector3& ray_C) {
 /// is longer by 1 / cos^2 along the way from the axis and by 1 / cos across it; the lens scales areas by its Jacobian.
 double radiusInPixels(const PictureView& view, const Cone& cone) {
   const Vector3& c = cone.axis_C;
-  const DistortedPoint lens = distort(view.description->kc, {c.x / c.z, c.y / c.z});
-  const double area = lens.da_da * lens.db_db - lens.da_db * lens.da_db;
+  const DistortedPoint lens = distort(*view.description, {c.x / c.z, c.y / c.z});
+  const double area = lens.determinant();
   return cone.sine / c.z * sqrt(std::max(0.01, area) / c.z) * view.description->fx;
 }
 

@@ -12,9 +12,9 @@ double uprightSlope(const PictureView& view, const ColourGrid& grid, const Run& 
   const PlanePoint p = view.rays->ray(middle(run) * grid.step(), grid.pixelOf(run.row));
   const Vector3 z = applyTransposed(view.X_RC.rotation, {0, 0, -1});  // downwards, as seen from C
   const double da = z.x - p.a * z.z, db = z.y - p.b * z.z;
-  const DistortedPoint lens = distort(view.description->kc, p);
+  const DistortedPoint lens = distort(*view.description, p);
   const double du = view.description->fx * (lens.da_da * da + lens.da_db * db);
-  const double dv = view.description->fy * (lens.da_db * da + lens.db_db * db);
+  const double dv = view.description->fy * (lens.db_da * da + lens.db_db * db);
   return dv > 1e-3 ? std::clamp(du / dv, -3.0, 3.0) : 0;
 }
 

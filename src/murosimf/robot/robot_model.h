@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "murosimf/algorithms/camera_model.h"
 #include "murosimf/robot/kinematic_tree.h"
 
 namespace murosimf {
@@ -32,15 +33,13 @@ struct Sole {
   std::array<Vector3, 4> corners() const;
 };
 
-/// A camera with a lens after Bouguet and OpenCV: u = fx (xd + skew yd) + cx, v = fy yd + cy, pixel centres at
-/// integers; kc = k1 k2 p1 p2 k3. Frame C: x right, y down, z forward.
+/// A camera with its lens (algorithms/camera_model.h). Frame C: x right, y down, z forward.
 struct CameraMount {
   std::string name{};
   int body = -1;
   Pose X_BC{};
-  int width = 0, height = 0;  ///< [pixels]
-  double fx = 0, fy = 0, cx = 0, cy = 0, skew = 0;
-  std::array<double, 5> kc{};
+  CameraModel lens{};
+  bool extrapolate = false;          ///< beyond what the lens sees, continueLinearly()
   double period = 0;                 ///< time between pictures [s]
   double phase = 0;                  ///< time of the first picture [s]
   std::vector<int> hidden_bodies{};  ///< not drawn in this camera: what carries it would stand in its way

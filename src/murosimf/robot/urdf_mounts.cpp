@@ -8,10 +8,6 @@
 namespace murosimf::urdf {
 namespace {
 
-void requirePositive(const XmlElement& element, const char* attribute, double value) {
-  if (!(value > 0)) element.errorAt(attribute, fmt::format("is {:g}, expected more than 0", value));
-}
-
 Sole readSole(const XmlElement& element, RobotPart& robot) {
   element.accept({"name", "side", "xyz", "rpy", "size"}, {"property"});
   Sole sole;
@@ -31,63 +27,6 @@ Sole readSole(const XmlElement& element, RobotPart& robot) {
   }
   readProperties(element, sole.name, robot);
   return sole;
-}
-
-/// Focal lengths from fx (and fy), or from the horizontal angle of view of a lens without distortion.
-void readFocalLength(const XmlElement& element, CameraMount& camera) {
-  const int before = element.diagnostics().errorCount();
-  if (element.has("hfov") == element.has("fx")) {
-    return element.error("expected either \"hfov\" [rad] or \"fx\" [pixels]");
-  }
-  if (element.has("hfov")) {
-    const double angle = element.number("hfov");
-    if (element.diagnostics().errorCount() != before) return;
-    if (!(angle > 0 && angle < kPi)) return element.errorAt("hfov", "is not between 0 and pi rad");
-    camera.fx = camera.width / (2 * tan(angle / 2));
-  } else {
-    camera.fx = element.number("fx");
-    if (element.diagnostics().errorCount() == before) requirePositive(element, "fx", camera.fx);
-  }
-  camera.fy = element.number("fy", camera.fx);
-  if (element.has("fy") && element.diagnostics().errorCount() == before) requirePositive(element, "fy", camera.fy);
-}
-
-void readTiming(const XmlElement& element, CameraMount& camera) {
-  const int before = element.diagnostics().errorCount();
-  camera.period = element.number("period");
-  camera.phase = element.number("phase", 0);
-  if (element.diagnostics().errorCount() != before) return;
-  requirePositive(element, "period", camera.period);
-  if (camera.phase < 0) element.errorAt("phase", "is negative, expected the time of the first picture [s]");
-}
-
-CameraPart readCamera(const XmlElement& element, RobotPart& robot) {
-  constexpr int kLargestPicture = 8192;
-  element.accept({"name", "xyz", "rpy", "width", "height", "hfov", "fx", "fy", "cx", "cy", "skew", "kc", "period",
-                  "phase", "hides"},
-                 {"property"});
-  CameraPart part;
-  CameraMount& camera = part.mount;
-  camera.name = readName(element);
-  camera.where = element.where();
-  const Pose X_BMount = element.pose();
-  camera.X_BC = {X_BMount.rotation * kR_MountCamera, X_BMount.translation};
-  camera.width = element.integer("width", 1, kLargestPicture);
-  camera.height = element.integer("height", 1, kLargestPicture);
-  readFocalLength(element, camera);
-  camera.cx = element.number("cx", 0.5 * (camera.width - 1));
-  camera.cy = element.number("cy", 0.5 * (camera.height - 1));
-  camera.skew = element.number("skew", 0);
-  if (element.has("kc")) {
-    const std::vector<double> kc = element.numbers("kc", camera.kc.size());
-    std::copy(kc.begin(), kc.end(), camera.kc.begin());
-  }
-  readTiming(element, camera);
-  for (const std::string& name : splitWords(element.has("hides") ? element.text("hides") : "")) {
-    part.hides.push_back({name, element.where("hides")});
-  }
-  readProperties(element, camera.name, robot);
-  return part;
 }
 
 ImuMount readImu(const XmlElement& element, RobotPart& robot) {

@@ -99,6 +99,8 @@ void readMaterials(const XmlElement& robot_element, RobotPart& robot);
 void readRobotExtension(const XmlElement& extension, RobotPart& robot);
 void readLink(const XmlElement& element, RobotPart& robot);
 void readJoint(const XmlElement& element, RobotPart& robot);
+/// A camera of a link's <murosimf>.
+CameraPart readCamera(const XmlElement& element, RobotPart& robot);
 /// Soles, cameras and sensors of a link's <murosimf>.
 void readMounts(const XmlElement& extension, LinkPart& link, RobotPart& robot);
 /// All <property> children, for this object ("" the robot).

@@ -57,11 +57,11 @@ CameraChoice cameraChoice(const RobotSettings& robot, const CameraMount& mount, 
         readNumber(parameter, 0.01, 100, result.settings.gain, diagnostics);
       } else if (parameter.name == "antialias") {
         readSwitch(parameter, result.settings.antialias, diagnostics);
-      } else {
+      } else if (parameter.name != "lens" && parameter.name != "extrapolate") {  // these are read by LensBuilder
+        const std::vector<std::string> known{"noise", "gain", "antialias", "lens", "extrapolate"};
         diagnostics.error(parameter.name_where,
-                          fmt::format("module ray_caster has no parameter \"{}\"; it knows noise, "
-                                      "gain, antialias{}",
-                                      parameter.name, didYouMean(parameter.name, {"noise", "gain", "antialias"})));
+                          fmt::format("module ray_caster has no parameter \"{}\"; it knows {}{}", parameter.name,
+                                      fmt::join(known, ", "), didYouMean(parameter.name, known)));
       }
     }
   }

@@ -11,7 +11,8 @@
 namespace murosimf {
 
 /// Cameras of the same lens share its rays, and its mistake is told once.
-std::shared_ptr<const RayTable> WorldBuilder::raysOf(const CameraMount& mount, const CameraModel& lens) {
+std::shared_ptr<const RayTable> WorldBuilder::raysOf(const CameraMount& mount, ObjectId camera) {
+  const CameraModel lens = *world_->find(camera, kCameraModel);
   for (const auto& [known, rays] : rays_) {
     if (known == lens) return rays;
   }
@@ -19,7 +20,8 @@ std::shared_ptr<const RayTable> WorldBuilder::raysOf(const CameraMount& mount, c
   try {
     rays_.back().second = std::make_shared<const RayTable>(lens);
   } catch (const std::invalid_argument& problem) {
-    diagnostics_.error(mount.where, fmt::format("camera {}: {}", mount.name, problem.what()));
+    diagnostics_.error(world_->findEntry(camera, kCameraModel.name)->where,
+                       fmt::format("camera {}: {} (extrapolate = true)", mount.name, problem.what()));
   }
   return rays_.back().second;
 }
@@ -29,7 +31,7 @@ void WorldBuilder::chooseCameras(Outfit& outfit) {
   for (const CameraMount& mount : outfit.model->cameras) {
     outfit.cameras.push_back(cameraChoice(*outfit.robot, mount, *scene_.simulation.control_period, diagnostics_));
     const ObjectId camera = world_->find(world_->path(outfit.id) + "." + mount.name);
-    outfit.rays.push_back(outfit.cameras.back().on ? raysOf(mount, *world_->find(camera, kCameraModel)) : nullptr);
+    outfit.rays.push_back(outfit.cameras.back().on ? raysOf(mount, camera) : nullptr);
   }
 }
 

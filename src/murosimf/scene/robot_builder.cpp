@@ -110,11 +110,7 @@ void addCameras(World& world, ObjectId robot, const RobotBlueprint& b) {
   for (const CameraMount& camera : b.model.cameras) {
     const ObjectId id = world.add(robot, camera.name);
     cameras.push_back(id);
-    CameraModel lens;
-    lens.width = camera.width, lens.height = camera.height;
-    lens.fx = camera.fx, lens.fy = camera.fy, lens.cx = camera.cx, lens.cy = camera.cy, lens.skew = camera.skew;
-    lens.kc = camera.kc;
-    world.set(id, kCameraModel, lens, camera.where);
+    world.set(id, kCameraModel, camera.lens, camera.where);
     world.set(id, kCameraPlace, placeOn(b, camera.body, camera.X_BC), camera.where);
     std::vector<int> hidden;
     for (const int body : camera.hidden_bodies) hidden.push_back(b.flat.bodies[static_cast<std::size_t>(body)].row);

@@ -25,7 +25,11 @@ Colour markColour(const std::string& team) {
 }
 
 WorldBuilder::WorldBuilder(const Scene& scene, Diagnostics& diagnostics)
-    : scene_(scene), diagnostics_(diagnostics), servos_(diagnostics), world_(std::make_shared<World>()) {
+    : scene_(scene),
+      diagnostics_(diagnostics),
+      servos_(diagnostics),
+      lenses_(diagnostics),
+      world_(std::make_shared<World>()) {
   addSurfaces(*world_, scene);
   addRobots();
   if (*scene.ball.present) addBall();
@@ -62,6 +66,7 @@ void WorldBuilder::addRobots() {
     world_->set(outfit.id, kNoiseKey, noiseKey(*scene_.simulation.seed, robot.path()));
     for (const NamedValue& property : robot.properties) setProperty(robot, property);
     servos_.apply(*world_, outfit.id, robot.file_found.string());
+    lenses_.apply(*world_, outfit.id, robot, print->model);
     sumMass(outfit.id);
   }
 }
@@ -199,14 +204,17 @@ void WorldBuilder::addFocus(Simulation& simulation) const {
 
 namespace {
 
-client::CameraDescription describeCamera(const CameraMount& camera, const RobotModel& model, double period) {
+client::CameraDescription describeCamera(const CameraMount& mount, const CameraModel& lens, const RobotModel& model,
+                                         double period) {
   client::CameraDescription c;
-  c.name = camera.name;
-  c.width = camera.width, c.height = camera.height;
-  c.fx = camera.fx, c.fy = camera.fy, c.cx = camera.cx, c.cy = camera.cy, c.skew = camera.skew;
-  std::copy(camera.kc.begin(), camera.kc.end(), c.kc);
-  c.body = model.tree.bodies[static_cast<std::size_t>(camera.body)].name;
-  c.X_BC = camera.X_BC;
+  c.name = mount.name;
+  c.width = lens.width, c.height = lens.height;
+  c.fx = lens.fx, c.fy = lens.fy, c.cx = lens.cx, c.cy = lens.cy, c.skew = lens.skew;
+  c.lens = lens.kind == LensKind::kFisheye ? client::LensKind::kFisheye : client::LensKind::kRational;
+  std::copy(lens.kc.begin(), lens.kc.end(), c.kc);
+  c.linear_from = lens.linear_from;
+  c.body = model.tree.bodies[static_cast<std::size_t>(mount.body)].name;
+  c.X_BC = mount.X_BC;
   c.period = period;
   return c;
 }
@@ -233,7 +241,8 @@ client::RobotDescription WorldBuilder::describe(const RobotSettings& robot) cons
   for (const CameraMount& camera : model.cameras) {
     Diagnostics told_already;
     const CameraChoice choice = cameraChoice(robot, camera, *scene_.simulation.control_period, told_already);
-    d.cameras.push_back(describeCamera(camera, model, choice.settings.period));
+    const ObjectId id = world_->find(robot.path() + "." + camera.name);
+    d.cameras.push_back(describeCamera(camera, *world_->find(id, kCameraModel), model, choice.settings.period));
   }
   for (const ObjectId sole : world_->members(world_->find(robot.path()), subset::kSoles)) {
     const std::string& path = world_->path(sole);

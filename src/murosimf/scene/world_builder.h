@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "murosimf/scene/camera_choice.h"
+#include "murosimf/scene/lens_builder.h"
 #include "murosimf/scene/module_choice.h"
 #include "murosimf/scene/robot_builder.h"
 #include "murosimf/scene/scene.h"
@@ -66,11 +67,12 @@ class WorldBuilder {
   void attachControl(Simulation& simulation) const;
   void placeAll(Simulation& simulation) const;
   void addFocus(Simulation& simulation) const;
-  std::shared_ptr<const RayTable> raysOf(const CameraMount& mount, const CameraModel& lens);
+  std::shared_ptr<const RayTable> raysOf(const CameraMount& mount, ObjectId camera);
 
   const Scene& scene_;
   Diagnostics& diagnostics_;
   ServoBuilder servos_;
+  LensBuilder lenses_;
   std::shared_ptr<World> world_;
   Participants participants_;
   std::map<std::string, std::unique_ptr<RobotBlueprint>> blueprints_;

@@ -6,6 +6,7 @@
 /// the robot or the ball is.
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,16 +21,23 @@ struct JointDescription {
   double largest_torque = 0;    ///< [N m]
 };
 
-/// Lens after Bouguet's toolbox and OpenCV: u = fx (xd + skew yd) + cx, v = fy yd + cy, pixel centres at integers;
-/// kc = k1 k2 p1 p2 k3.
+/// What the numbers kc of a lens mean, in OpenCV's order (docs/cameras.md has the equations):
+/// kRational  k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4; all from k4 on are zero for the lens of Bouguet's toolbox
+/// kFisheye   k1 k2 k3 k4
+enum class LensKind : std::uint8_t { kRational, kFisheye };
+
+/// The lens is the true one: u = fx (xd + skew yd) + cx, v = fy yd + cy, pixel centres at integers.
 struct CameraDescription {
   std::string name;
   int width = 0, height = 0;  ///< [pixels]
   double fx = 0, fy = 0, cx = 0, cy = 0, skew = 0;
-  double kc[5] = {0, 0, 0, 0, 0};
+  double kc[12] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
   std::string body;   ///< the body (link) that carries it
   Pose X_BC;          ///< camera on that body: C has x right, y down, z forward
   double period = 0;  ///< time between pictures [s]
+  LensKind lens = LensKind::kRational;
+  /// Slope r beyond which the lens goes on along its tangents in r, where the scenario lets it be extrapolated.
+  double linear_from = std::numeric_limits<double>::infinity();
 };
 
 /// The field of play: what a team measures before a game. Origin at the centre; +x towards the opponents' goal of the
