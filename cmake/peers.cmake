@@ -1,5 +1,6 @@
 # Other simulators, MuJoCo and ODE: referees of tests and peers of benchmarks. Nothing that is installed links them.
 # FCL, a library of collision detection: referee of slow tests; target murosimf_fcl where it was found.
+# OpenCV: referee of cameras' lenses in slow tests; target murosimf_opencv where it was found.
 # Target murosimf_peers exists where both were found; else tests/peers and what needs it in bench/ are left out.
 if(NOT MUROSIMF_PEERS)
   return()
@@ -20,4 +21,9 @@ if(TARGET fcl)
   target_link_libraries(murosimf_fcl INTERFACE fcl)
   # Debian builds FCL for any x86-64: Eigen's structures in its headers must not take AVX's alignment from our flags.
   target_compile_definitions(murosimf_fcl INTERFACE EIGEN_MAX_ALIGN_BYTES=16 EIGEN_MAX_STATIC_ALIGN_BYTES=16)
+endif()
+find_package(OpenCV QUIET COMPONENTS core imgproc calib3d)
+if(OpenCV_FOUND)
+  add_library(murosimf_opencv INTERFACE)
+  target_link_libraries(murosimf_opencv INTERFACE opencv_core opencv_imgproc opencv_calib3d)
 endif()

@@ -5,7 +5,7 @@
 # software too; so does tests/render, which is left out with the window (cmake/libraries.cmake), and tests/peers, which compares with other simulators and is left out where these are missing
 # (cmake/peers.cmake). Files *_v4.cpp are compiled for AVX-512 and must include nothing but math/ and plain declarations.
 # Files *_slow.cpp make test_<folder>_slow, labelled `slow`: `make check-all` runs them, `make test` does not. Of these,
-# fcl_*.cpp ask the library FCL and are left out where it is missing (cmake/peers.cmake). Tests run in the source tree's
+# fcl_*.cpp ask the library FCL, opencv_*.cpp OpenCV; they are left out where it is missing (cmake/peers.cmake). Tests run in the source tree's
 # root; MUROSIMF_SOURCE_DIR is that root.
 set(MUROSIMF_TEST_TIMEOUT 240 CACHE STRING "Seconds that one test executable may take")
 
@@ -50,9 +50,11 @@ foreach(folder IN LISTS folders)
   set(slow ${sources})
   list(FILTER slow INCLUDE REGEX "_slow\\.cpp$")
   list(FILTER sources EXCLUDE REGEX "_slow\\.cpp$")
-  if(NOT TARGET murosimf_fcl)
-    list(FILTER slow EXCLUDE REGEX "/fcl_[^/]*$")
-  endif()
+  foreach(referee IN ITEMS fcl opencv)
+    if(NOT TARGET murosimf_${referee})
+      list(FILTER slow EXCLUDE REGEX "/${referee}_[^/]*$")
+    endif()
+  endforeach()
   if(sources MATCHES "_test\\.cpp(;|$)")
     murosimf_test(test_${folder} ${folder} ${sources})
   endif()
@@ -61,9 +63,11 @@ foreach(folder IN LISTS folders)
     list(FILTER helpers EXCLUDE REGEX "_test\\.cpp$")
     murosimf_test(test_${folder}_slow ${folder} ${slow} ${helpers})
     set_tests_properties(test_${folder}_slow PROPERTIES LABELS slow TIMEOUT 3600)
-    if(slow MATCHES "/fcl_[^/]*(;|$)")
-      target_link_libraries(test_${folder}_slow PRIVATE murosimf_fcl)
-    endif()
+    foreach(referee IN ITEMS fcl opencv)
+      if(slow MATCHES "/${referee}_[^/]*(;|$)")
+        target_link_libraries(test_${folder}_slow PRIVATE murosimf_${referee})
+      endif()
+    endforeach()
   endif()
 endforeach()
 
