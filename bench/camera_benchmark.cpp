@@ -63,6 +63,13 @@ BENCHMARK_CAPTURE(variant, noise, [](Setup& s) { s.options.sensor.deviation = 0.
 BENCHMARK_CAPTURE(variant, ground_shadows, [](Setup& s) {
   s.scene.ground_shadows = true;
 })->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(variant, shadows, [](Setup& s) { s.options.shadows = true; })->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(variant, texture, [](Setup& s) {
+  std::vector<std::uint8_t> grass(3UL * 512 * 512);
+  for (std::size_t i = 0; i < grass.size(); ++i) grass[i] = static_cast<std::uint8_t>(i * 2654435761U >> 24);
+  s.scene.ground.texture = std::make_shared<const GroundTexture>(512, 512, grass);
+  s.scene.ground.texture_size = 1;
+})->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(variant, antialias, [](Setup& s) { s.options.antialias = true; })->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(variant, colour_only, [](Setup& s) {
   s.picture.has_depth = s.picture.has_label = false;
@@ -71,6 +78,10 @@ BENCHMARK_CAPTURE(variant, empty_field, [](Setup& s) { s.scene.drawables.clear()
 /// Robots, goals and ball of triangles: 11 000 a robot, those of all robots the same.
 BENCHMARK_CAPTURE(variant, meshes, [](Setup& s) {
   mesh_shapes::drawAsMeshes(24, s.scene);
+})->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(variant, meshes_and_shadows, [](Setup& s) {
+  mesh_shapes::drawAsMeshes(24, s.scene);
+  s.options.shadows = true;
 })->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(variant, robots_22, [](Setup& s) {
   for (int k = 0; k < 16; ++k)
@@ -98,7 +109,7 @@ BENCHMARK(distortedOverStraight)->Arg(160)->Arg(320)->Arg(640)->Unit(benchmark::
 void prepare(benchmark::State& state) {
   Setup setup(distortedCamera(640));
   int frame = 0;
-  for (auto _ : state) prepareScene(setup.rays, setup.scene, pan(frame++), {}, setup.work);
+  for (auto _ : state) prepareScene(setup.rays, setup.scene, pan(frame++), {}, false, setup.work);
 }
 BENCHMARK(prepare)->Unit(benchmark::kMicrosecond);
 

@@ -84,7 +84,7 @@ TEST(CameraSameBits, BandsOfSeveralThreadsMakeTheSamePicture) {
     RayScene scene = camera_scene::makeGame();
     scene.ground_shadows = shot.shadows;
     PreparedScene work;
-    prepareScene(rays, scene, shot.X_WC, {}, work);
+    prepareScene(rays, scene, shot.X_WC, {}, shot.options.shadows, work);
     Picture picture;
     picture.resize(shot.camera.width, shot.camera.height);
     const int cut[] = {0, 5, 48, 63, shot.camera.height};
@@ -100,7 +100,7 @@ TEST(CameraSameBits, RowsOutsideABandAreNotTouched) {
   const RayTable rays(camera_scene::headCamera(160, 120));
   const RayScene scene = camera_scene::makeGame();
   PreparedScene work;
-  prepareScene(rays, scene, cameraPose({-0.35, -0.2, 0.5}, 0.25, 0.35), {}, work);
+  prepareScene(rays, scene, cameraPose({-0.35, -0.2, 0.5}, 0.25, 0.35), {}, false, work);
   Picture picture;
   picture.resize(160, 120);
   std::fill(picture.rgb.begin(), picture.rgb.end(), std::uint8_t{77});
@@ -120,7 +120,7 @@ TEST(CameraSameBits, CullingLeavesOutOnlyWhatIsNotSeen) {
     RayScene scene = camera_scene::makeGame();
     scene.ground_shadows = shot.shadows;
     PreparedScene work;
-    prepareScene(rays, scene, shot.X_WC, {}, work);
+    prepareScene(rays, scene, shot.X_WC, {}, shot.options.shadows, work);
     for (PreparedScene::Extent& e : work.extents) e.x_low = e.y_low = -kHuge, e.x_high = e.y_high = kHuge;
     sortIntoRows(rays, work);
     Picture all;

@@ -78,7 +78,7 @@ inline Triangles cylinderOf(double radius, double half_length, int columns) {
   return out;
 }
 
-/// Any shape but a hull; `columns` around.
+/// A box, a cylinder or an ellipsoid; `columns` around.
 inline Triangles meshOf(const Shape& shape, int columns) {
   if (shape.kind == ShapeKind::kBox) return boxOf(shape.half_size * 2.0, columns / 4);
   if (shape.kind == ShapeKind::kCylinder) return cylinderOf(shape.half_size.x, shape.half_size.z, columns);

@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include "murosimf/algorithms/cast_mesh_data.h"
+#include "murosimf/algorithms/cast_texture_data.h"
 
 namespace murosimf {
 
@@ -46,6 +47,7 @@ struct CastSurface {
   // Box: a ray is inside between the last front plane and the first back plane.
   LinearForm plane[6];         ///< w of the planes, those that face the camera first
   CastColour plane_colour[3];  ///< lit, of those that face the camera
+  float plane_light[3];        ///< that falls on them
   std::int32_t fronts;         ///< how many face the camera: 1 to 3
   // Ellipsoid, and side of a cylinder or capsule: w = sqrt(root) + rest where root >= 0.
   QuadraticForm root;
@@ -61,6 +63,7 @@ struct CastSurface {
   float side_light_w;
   LinearForm cap;         ///< w of the cap that faces the camera
   CastColour cap_colour;  ///< lit
+  float cap_light;        ///< that falls on it
   std::int32_t has_side, has_cap;
   // Ends of a capsule, as an ellipsoid's root and rest; cosine between one and the lamp = end_light_w + end_light / w.
   QuadraticForm end_root[2];
@@ -97,16 +100,22 @@ struct CastGround {
   const CastRing* rings;
   std::int32_t ring_count;
   CastColour carpet, surroundings, paint, sky;  ///< lit
+  float light;                                  ///< that falls on the ground
+  CastTexture texture;                          ///< of the carpet, none where it has no levels
+  LinearForm texel_u, texel_v;                  ///< place in texels of the largest level, from 0 on, times w
+  float texture_light;                          ///< factor on the picture's colours
 };
 
 struct CastScene {
   CastGround ground;
   const CastSurface* surfaces;
   const CastMeshView* meshes;
-  const CastRow* rows;  ///< of tiles
-  float lamp[3];        ///< unit vector towards the lamp, in C
-  float ambient;        ///< share of light from everywhere
-  std::int32_t has_shadows;
+  const CastRow* rows;          ///< of tiles
+  float lamp[3];                ///< unit vector towards the lamp, in C
+  float ambient;                ///< share of light from everywhere
+  std::int32_t has_shadows;     ///< soft patches beneath drawables
+  const CastScene* lamp_scene;  ///< what throws shadows, as the lamp sees it; null: no hard shadows
+  LinearForm lamp_place[3];     ///< a point as the lamp sees it, times w: place x, y and height [m]
 };
 
 /// Rows [first_row, last_row) of one picture.
@@ -118,9 +127,11 @@ struct CastJob {
   std::uint8_t* rgb;
   float* depth;                     ///< null: not wanted
   std::uint16_t* label;             ///< null: not wanted
+  std::int32_t* part;               ///< null: not wanted
+  const std::int32_t* part_of;      ///< part of what TileBuffer::surface counts from -2 on
   float gain, deviation;            ///< in bytes: 255 times those of ImageSensor
   std::uint32_t key_low, key_high;  ///< of the noise
-  std::int32_t antialias;
+  std::int32_t antialias, marks_lines;
 };
 
 }  // namespace murosimf

@@ -2,7 +2,7 @@
 
 /// @file Ground, sky, shadows. A part of the ray caster's kernel.
 
-#include "murosimf/algorithms/cast_paint.h"
+#include "murosimf/algorithms/cast_texture.h"
 
 namespace murosimf {
 inline namespace MUROSIMF_ISA {
@@ -20,11 +20,12 @@ inline void castPlane(const Tile& tile, const CastColour& ground_colour) {
     store(b.green + i, select(ground, S(g.green), S(sky.green)));
     store(b.blue + i, select(ground, S(g.blue), S(sky.blue)));
     store(b.label + i, select(ground, S(kGround), S(kSky)));
-    if (tile.job.antialias) store(b.surface + i, select(ground, S(-1.0F), S(-2.0F)));
+    if (tile.scene.lamp_scene) store(b.light + i, S(tile.scene.ground.light));
+    if (keepsSurfaces(tile)) store(b.surface + i, select(ground, S(-1.0F), S(-2.0F)));
   });
 }
 
-/// Colours of ground with paint, from the two shares.
+/// Colours of ground with paint, from the carpet's and the two shares.
 template <class S>
 inline void mixPaint(const Tile& tile, const CastGround& g) {
   forPacks<S>(tile, [&](int i) {
@@ -32,13 +33,23 @@ inline void mixPaint(const Tile& tile, const CastGround& g) {
     const auto ground = load<S>(b.label + i) == S(kGround);
     if (laneBits(ground) == 0) return;
     const S carpet = load<S>(b.carpet + i), paint = min(load<S>(b.paint + i), S(1.0F));
-    const auto mix = [&](float* plane, float surroundings, float of_carpet, float of_paint) {
-      const S base = S(surroundings) + (S(of_carpet) - S(surroundings)) * carpet;
-      store(plane + i, select(ground, base + (S(of_paint) - base) * paint, load<S>(plane + i)));
+    const auto mix = [&](float* plane, float surroundings, float of_paint) {
+      const S before = load<S>(plane + i), base = S(surroundings) + (before - S(surroundings)) * carpet;
+      store(plane + i, select(ground, base + (S(of_paint) - base) * paint, before));
     };
-    mix(b.red, g.surroundings.red, g.carpet.red, g.paint.red);
-    mix(b.green, g.surroundings.green, g.carpet.green, g.paint.green);
-    mix(b.blue, g.surroundings.blue, g.carpet.blue, g.paint.blue);
+    mix(b.red, g.surroundings.red, g.paint.red);
+    mix(b.green, g.surroundings.green, g.paint.green);
+    mix(b.blue, g.surroundings.blue, g.paint.blue);
+  });
+}
+
+/// Gives ground that is painted by half or more a label of its own.
+template <class S>
+inline void markLines(const Tile& tile) {
+  forPacks<S>(tile, [&](int i) {
+    const S label = load<S>(tile.buffer.label + i);
+    const auto line = (label == S(kGround)) & (load<S>(tile.buffer.paint + i) >= S(0.5F));
+    store(tile.buffer.label + i, select(line, S(kLine), label));
   });
 }
 

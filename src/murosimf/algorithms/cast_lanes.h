@@ -66,6 +66,43 @@ inline unsigned laneBits(Mask<float, 16> mask) {
 }
 #endif
 
+/// The 32 bits of numbers as words, and back.
+template <class S>
+inline WordsOf<S> bitsOf(S numbers) {
+  WordsOf<S> words;
+  __builtin_memcpy(&words, &numbers, sizeof words);
+  return words;
+}
+template <class S>
+inline S numberOfBits(WordsOf<S> words) {
+  S numbers;
+  __builtin_memcpy(&numbers, &words, sizeof numbers);
+  return numbers;
+}
+
+/// table[index], lane by lane.
+template <class S>
+inline WordsOf<S> gather(const std::uint32_t* table, WordsOf<S> index);
+template <>
+inline std::uint32_t gather<float>(const std::uint32_t* table, std::uint32_t index) {
+  return table[index];
+}
+template <>
+inline WordsOf<Pack<float, 8>> gather<Pack<float, 8>>(const std::uint32_t* table, WordsOf<Pack<float, 8>> index) {
+  const __m256i found =
+      _mm256_i32gather_epi32(reinterpret_cast<const int*>(table), reinterpret_cast<__m256i>(index), 4);
+  return reinterpret_cast<WordsOf<Pack<float, 8>>>(found);
+}
+#ifdef __AVX512F__
+template <>
+inline WordsOf<Pack<float, 16>> gather<Pack<float, 16>>(const std::uint32_t* table, WordsOf<Pack<float, 16>> index) {
+  const __m512i from =
+      reinterpret_cast<__m512i>(index);  // the plain gather of g++ 12 begins with an undefined register
+  const __m512i found = _mm512_mask_i32gather_epi32(from, 0xffff, from, table, 4);
+  return reinterpret_cast<WordsOf<Pack<float, 16>>>(found);
+}
+#endif
+
 /// Words below 2^31 as numbers, and numbers in [0, 2^31) as words, cut off.
 inline float toNumber(std::uint32_t words) { return static_cast<float>(static_cast<std::int32_t>(words)); }
 inline Pack<float, 8> toNumber(WordsOf<Pack<float, 8>> words) {

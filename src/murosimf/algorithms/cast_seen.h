@@ -16,7 +16,7 @@ inline constexpr float kInShadow = 3e38F;
 
 template <class S>
 struct Lit {
-  S red, green, blue;
+  S red, green, blue, light;
 };
 
 /// Light that a surface gives back whose normal has this cosine with the lamp's direction.
@@ -26,7 +26,7 @@ inline S brightness(const CastScene& scene, S cosine) {
 }
 template <class S>
 inline Lit<S> lit(const CastColour& colour, S light) {
-  return {S(colour.red) * light, S(colour.green) * light, S(colour.blue) * light};
+  return {S(colour.red) * light, S(colour.green) * light, S(colour.blue) * light, light};
 }
 
 /// Overwrites the lanes of pack i in which the surface was met nearest.
@@ -42,7 +42,8 @@ inline void see(const Tile& tile, int i, M nearest, S w, const Lit<S>& colour, c
   store(b.green + i, select(nearest, colour.green, load<S>(b.green + i)));
   store(b.blue + i, select(nearest, colour.blue, load<S>(b.blue + i)));
   store(b.label + i, select(nearest, S(surface.label), load<S>(b.label + i)));
-  if (!tile.job.antialias) return;
+  if (tile.scene.lamp_scene) store(b.light + i, select(nearest, colour.light, load<S>(b.light + i)));
+  if (!keepsSurfaces(tile)) return;
   const S index(static_cast<float>(&surface - tile.scene.surfaces));
   store(b.surface + i, select(nearest, index, load<S>(b.surface + i)));
 }

@@ -67,22 +67,41 @@ inline void storeLabels(const TileBuffer& b, int first, std::uint16_t* label) {
   }
 }
 
+/// Sixteen parts: surfaces count from -2 on, a quarter more where they lie in a shadow.
+inline void storeParts(const CastJob& job, const TileBuffer& b, int first, std::int32_t* part) {
+  for (int column = 0; column < kTileSize; ++column)
+    part[column] = job.part_of[static_cast<std::int32_t>(b.surface[first + column] + 2.0F)];
+}
+
+/// Where pixels go: depth, label and part may be null.
+struct Store {
+  std::uint8_t* rgb;
+  float* depth;
+  std::uint16_t* label;
+  std::int32_t* part;
+};
+inline Store storeAt(const CastJob& job, std::uint32_t pixel) {
+  return {job.rgb + 3UL * pixel, job.depth ? job.depth + pixel : nullptr, job.label ? job.label + pixel : nullptr,
+          job.part ? job.part + pixel : nullptr};
+}
+
 /// Sixteen finished pixels.
 struct RowOfTile {
   std::uint8_t rgb[3 * kTileSize];
   float depth[kTileSize];
   std::uint16_t label[kTileSize];
+  std::int32_t part[kTileSize];
 };
 
 /// Writes row `first / 16` of a tile. `pixel`: number of its first pixel in the picture.
 template <class S>
-inline void storeRow(const CastJob& job, const TileBuffer& b, int first, std::uint32_t pixel, std::uint8_t* rgb,
-                     float* depth, std::uint16_t* label) {
+inline void storeRow(const CastJob& job, const TileBuffer& b, int first, std::uint32_t pixel, const Store& to) {
   alignas(64) std::uint32_t words[kTileSize];
   makeWords<S>(job, b, first, pixel, words);
-  storeColours(words, rgb);
-  if (depth) storeDepths<S>(b, first, depth);
-  if (label) storeLabels(b, first, label);
+  storeColours(words, to.rgb);
+  if (to.depth) storeDepths<S>(b, first, to.depth);
+  if (to.label) storeLabels(b, first, to.label);
+  if (to.part) storeParts(job, b, first, to.part);
 }
 
 /// Last pass: writes the part of a tile that lies in the job's rows and in the picture.
@@ -94,16 +113,17 @@ inline void storeTile(const CastJob& job, const TileBuffer& b, int left, int top
     if (v < job.first_row || v >= job.last_row) continue;
     const auto pixel =
         static_cast<std::uint32_t>(v) * static_cast<std::uint32_t>(job.width) + static_cast<std::uint32_t>(left);
+    const Store to = storeAt(job, pixel);
     if (count >= kTileSize) {
-      storeRow<S>(job, b, first, pixel, job.rgb + 3UL * pixel, job.depth ? job.depth + pixel : nullptr,
-                  job.label ? job.label + pixel : nullptr);
+      storeRow<S>(job, b, first, pixel, to);
       continue;
     }
-    RowOfTile part;
-    storeRow<S>(job, b, first, pixel, part.rgb, part.depth, part.label);
-    for (int i = 0; i < 3 * count; ++i) job.rgb[3UL * pixel + static_cast<unsigned>(i)] = part.rgb[i];
-    for (int i = 0; job.depth && i < count; ++i) job.depth[pixel + static_cast<unsigned>(i)] = part.depth[i];
-    for (int i = 0; job.label && i < count; ++i) job.label[pixel + static_cast<unsigned>(i)] = part.label[i];
+    RowOfTile made;
+    storeRow<S>(job, b, first, pixel, {made.rgb, made.depth, made.label, to.part ? made.part : nullptr});
+    for (int i = 0; i < 3 * count; ++i) to.rgb[i] = made.rgb[i];
+    for (int i = 0; to.depth && i < count; ++i) to.depth[i] = made.depth[i];
+    for (int i = 0; to.label && i < count; ++i) to.label[i] = made.label[i];
+    for (int i = 0; to.part && i < count; ++i) to.part[i] = made.part[i];
   }
 }
 

@@ -13,6 +13,16 @@
 namespace murosimf {
 inline namespace MUROSIMF_ISA {
 
+/// Half sizes are measured times w by a camera, as they are by the lamp; and what is seen where nothing is.
+template <class S, CastView kView>
+inline S unitAt(S w) {
+  return kView == CastView::kCamera ? w : S(1.0F);
+}
+template <class S, CastView kView>
+inline S nothingYet() {
+  return S(kView == CastView::kCamera ? 0.0F : -kInShadow);
+}
+
 /// A box of which kFronts planes face the camera: entered behind all of these, left at the first of the others.
 template <class S, CastView kView, int kFronts>
 inline void meetBox(const Tile& tile, const CastSurface& box, int i) {
@@ -25,16 +35,16 @@ inline void meetBox(const Tile& tile, const CastSurface& box, int i) {
   const auto nearest = (entry >= exit) & (entry > load<S>(tile.buffer.w + i));
   if (laneBits(nearest) == 0) return;
   const CastColour* c = box.plane_colour;
-  Lit<S> colour{S(c[0].red), S(c[0].green), S(c[0].blue)};
+  Lit<S> colour{S(c[0].red), S(c[0].green), S(c[0].blue), S(box.plane_light[0])};
   if constexpr (kFronts > 1) {
     const auto here = second == entry;
     colour = {select(here, S(c[1].red), colour.red), select(here, S(c[1].green), colour.green),
-              select(here, S(c[1].blue), colour.blue)};
+              select(here, S(c[1].blue), colour.blue), select(here, S(box.plane_light[1]), colour.light)};
   }
   if constexpr (kFronts > 2) {
     const auto here = third == entry;
     colour = {select(here, S(c[2].red), colour.red), select(here, S(c[2].green), colour.green),
-              select(here, S(c[2].blue), colour.blue)};
+              select(here, S(c[2].blue), colour.blue), select(here, S(box.plane_light[2]), colour.light)};
   }
   see<S, kView>(tile, i, nearest, entry, colour, box);
 }
@@ -60,29 +70,31 @@ template <class S, CastView kView>
 inline void meetCylinder(const Tile& tile, const CastSurface& s, int i) {
   const S x = load<S>(tile.x + i), y = load<S>(tile.y + i);
   const S zero(0.0F), axial = evaluate(s.axis[2], x, y);
-  S w = zero;
+  S w = nothingYet<S, kView>();
   auto on_side = zero > zero;
   if (s.has_side) {
     const S root = evaluate(s.root, x, y);
     const S w_side = sqrt(max(root, zero)) + evaluate(s.rest, x, y);
-    on_side = (root >= zero) & (abs(S(s.axis_w[2]) * w_side + axial) <= w_side);
+    on_side = (root >= zero) & (abs(S(s.axis_w[2]) * w_side + axial) <= unitAt<S, kView>(w_side));
     w = select(on_side, w_side, w);
   }
   if (s.has_cap) {
     const S w_cap = evaluate(s.cap, x, y);
     const S across_x = evaluate(s.axis[0], x, y) + S(s.axis_w[0]) * w_cap;
     const S across_y = evaluate(s.axis[1], x, y) + S(s.axis_w[1]) * w_cap;
-    const auto on_cap = (!on_side) & (across_x * across_x + across_y * across_y <= w_cap * w_cap);
+    const S unit = unitAt<S, kView>(w_cap);
+    const auto on_cap = (!on_side) & (across_x * across_x + across_y * across_y <= unit * unit);
     w = select(on_cap, w_cap, w);
   }
   const auto nearest = w > load<S>(tile.buffer.w + i);
   if (laneBits(nearest) == 0) return;
   const S cosine = S(s.side_light_w) + evaluate(s.side_light, x, y) / w;
-  const Lit<S> side = lit(s.colour, brightness(tile.scene, cosine));
+  const S light = brightness(tile.scene, cosine);
+  const Lit<S> side = lit(s.colour, light);
   const CastColour& cap = s.cap_colour;
   see<S, kView>(tile, i, nearest, w,
                 Lit<S>{select(on_side, side.red, S(cap.red)), select(on_side, side.green, S(cap.green)),
-                       select(on_side, side.blue, S(cap.blue))},
+                       select(on_side, side.blue, S(cap.blue)), select(on_side, light, S(s.cap_light))},
                 s);
 }
 
@@ -90,14 +102,15 @@ inline void meetCylinder(const Tile& tile, const CastSurface& s, int i) {
 template <class S, CastView kView>
 inline void meetCapsule(const Tile& tile, const CastSurface& s, int i) {
   const S x = load<S>(tile.x + i), y = load<S>(tile.y + i), zero(0.0F);
-  S w = zero, turn = zero;
+  S w = nothingYet<S, kView>(), turn = zero;
   if (s.has_side) {
     const S root = evaluate(s.root, x, y);
     const S w_side = sqrt(max(root, zero)) + evaluate(s.rest, x, y);
-    const auto met = (root >= zero) & (abs(S(s.axis_w[2]) * w_side + evaluate(s.axis[2], x, y)) <= w_side);
+    const auto met =
+        (root >= zero) & (abs(S(s.axis_w[2]) * w_side + evaluate(s.axis[2], x, y)) <= unitAt<S, kView>(w_side));
     w = select(met, w_side, w), turn = select(met, S(s.side_light_w), turn);
   }
-  auto on_side = w > zero;
+  auto on_side = w > nothingYet<S, kView>();
   for (int end = 0; end < 2; ++end) {
     const S root = evaluate(s.end_root[end], x, y);
     const S w_end = sqrt(max(root, zero)) + evaluate(s.end_rest[end], x, y);

@@ -16,15 +16,16 @@ inline constexpr unsigned kAllRows = (1U << kTileSize) - 1;
 
 /// Labels of a tile's pixels that see no drawable. The ground is negative, apart from drawables that have its label 0;
 /// it is written as 0.
-inline constexpr float kSky = 65535.0F, kGround = -1.0F;
+inline constexpr float kSky = 65535.0F, kLine = 65534.0F, kGround = -1.0F;
 
 /// Everything of 256 pixels: [row][column].
 struct alignas(64) TileBuffer {
   float x[kTilePixels], y[kTilePixels];  ///< slopes, when they are not those of the table
   float w[kTilePixels];                  ///< inverse depth of the nearest surface so far
   float red[kTilePixels], green[kTilePixels], blue[kTilePixels];
-  float label[kTilePixels];                       ///< of the drawable seen, kSky or kGround
-  float surface[kTilePixels];                     ///< -2 sky, -1 ground, else index: written when antialiasing only
+  float light[kTilePixels];    ///< on what is seen: written for hard shadows only
+  float label[kTilePixels];    ///< of the drawable seen, kSky or kGround
+  float surface[kTilePixels];  ///< -2 sky, -1 ground, else index: where antialiasing or parts want it
   float carpet[kTilePixels], paint[kTilePixels];  ///< share of the pixel's footprint that is carpet, is painted
 };
 
@@ -39,6 +40,9 @@ struct Tile {
   unsigned rows;             ///< to be worked on, as bits
   TileBuffer& buffer;
 };
+
+/// Whether TileBuffer::surface is wanted.
+inline bool keepsSurfaces(const Tile& tile) { return tile.job.antialias || tile.job.part; }
 
 template <class S>
 inline S evaluate(const LinearForm& form, S x, S y) {

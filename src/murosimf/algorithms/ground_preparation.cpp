@@ -68,6 +68,21 @@ void setStrips(const CameraView& view, const PaintedGround& ground, PreparedScen
   g.strip_count = static_cast<std::int32_t>(count);
 }
 
+/// Places in the picture count whole repeats from beyond the carpet, so that none is below 0.
+void setTexture(const CameraView& view, const PaintedGround& ground, CastGround& g) {
+  g.texture = {};
+  if (!ground.texture) return;
+  g.texture = ground.texture->cast();
+  const bool once = ground.texture_size <= 0.0;
+  const double length = once ? 2.0 * ground.half_length : ground.texture_size;
+  const double width = once ? 2.0 * ground.half_width : ground.texture_size;
+  const double x_low = once ? -ground.half_length : -std::ceil(ground.half_length / length + 1.0) * length;
+  const double y_high = once ? ground.half_width : std::ceil(ground.half_width / width + 1.0) * width;
+  const double side = ground.texture->side(0);
+  g.texel_u = groundForm(view, side / length, 0.0, x_low, 0.0);
+  g.texel_v = groundForm(view, 0.0, -side / width, 0.0, y_high);
+}
+
 /// Half of the drawable's extent along z of W [m].
 double heightRange(const Drawable& drawable) {
   const Shape outline = outlineOf(drawable);
@@ -140,6 +155,8 @@ void setGround(const CameraView& view, const RayScene& scene, PreparedScene& wor
   g.carpet = litColour(view, scene.ground.carpet, cosine, factor);
   g.surroundings = litColour(view, scene.ground.surroundings, cosine, factor);
   g.paint = litColour(view, scene.ground.paint, cosine, factor);
+  g.light = lightOf(view, cosine), g.texture_light = lightOf(view, cosine, factor);
+  setTexture(view, scene.ground, g);
   g.sky = {scene.sky.red, scene.sky.green, scene.sky.blue};
 }
 

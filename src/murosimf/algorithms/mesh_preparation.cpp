@@ -43,4 +43,17 @@ CastMeshView meshFromCamera(const TriangleMesh& mesh, const Pose& X_CS, const Ve
   return v;
 }
 
+CastMeshView meshFromLamp(const TriangleMesh& mesh, const Pose& X_LS) {
+  CastMeshView v = viewOf(mesh, X_LS, {0, 0, 1});
+  v.facing = 1.0F, v.lift = 1.0F;
+  const Vector3& p_L = X_LS.translation;
+  v.middle[0] = static_cast<float>(p_L.x), v.middle[1] = static_cast<float>(p_L.y);
+  const Rotation3& r = X_LS.rotation;
+  const Vector3 across[2] = {applyTransposed(r, Vector3{1, 0, 0}), applyTransposed(r, Vector3{0, 1, 0})};
+  const Vector3 up = applyTransposed(r, Vector3{0, 0, 1});
+  for (int k = 0; k < 2; ++k) set(cross(across[k], up), v.edge[k]), set(across[k] * -1.0, v.top[k]);
+  set(up, v.area[2]), set(up * p_L.z, v.top[2]), set(up, v.bottom);
+  return v;
+}
+
 }  // namespace murosimf

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/algorithms/label_boxes.h"
 #include "murosimf/algorithms/ray_caster_kernel.h"
 #include "murosimf/algorithms/scene_preparation.h"
 #include "murosimf/math/random.h"
@@ -41,18 +42,22 @@ bool isSupported(CastLanes lanes) {
 }
 
 void prepareScene(const RayTable& rays, const RayScene& scene, const Pose& X_WC, std::span<const std::uint32_t> hidden,
-                  PreparedScene& work) {
+                  bool shadows, PreparedScene& work) {
   const CameraView view = viewOf(scene, X_WC);
   work.surfaces.clear(), work.meshes.clear(), work.extents.clear();
   work.cast.has_shadows = 0;
+  work.part_of = {kSkyPart, kGroundPart};
   for (const Drawable& drawable : scene.drawables) {
     if (std::find(hidden.begin(), hidden.end(), drawable.owner) == hidden.end()) addSurface(view, drawable, work);
-    if (scene.ground_shadows) addShadow(view, drawable, work);
+    if (scene.ground_shadows && !shadows) addShadow(view, drawable, work);
+    work.part_of.resize(2 + work.surfaces.size(), static_cast<std::int32_t>(&drawable - scene.drawables.data()));
   }
   setGround(view, scene, work);
   for (int i = 0; i < 3; ++i) work.cast.lamp[i] = static_cast<float>(view.lamp_C[i]);
   work.cast.ambient = static_cast<float>(view.ambient);
   sortIntoRows(rays, work);
+  work.cast.lamp_scene = nullptr;
+  if (shadows) setCasters(view, scene, work);
 }
 
 void castRows(const RayTable& rays, const PreparedScene& work, const CastOptions& options, int first_row, int last_row,
@@ -66,6 +71,8 @@ void castRows(const RayTable& rays, const PreparedScene& work, const CastOptions
   job.rgb = picture.rgb.data();
   job.depth = picture.depth.empty() ? nullptr : picture.depth.data();
   job.label = picture.label.empty() ? nullptr : picture.label.data();
+  job.part = picture.part.empty() ? nullptr : picture.part.data(), job.part_of = work.part_of.data();
+  job.marks_lines = picture.marks_lines;
   job.gain = 255.0F * options.sensor.gain, job.deviation = 255.0F * options.sensor.deviation;
   job.key_low = static_cast<std::uint32_t>(options.sensor.key);
   job.key_high = static_cast<std::uint32_t>(options.sensor.key >> 32);
@@ -76,8 +83,9 @@ void castRows(const RayTable& rays, const PreparedScene& work, const CastOptions
 void castPicture(const RayTable& rays, const RayScene& scene, const Pose& X_WC, std::span<const std::uint32_t> hidden,
                  const CastOptions& options, PreparedScene& work, Picture& picture) {
   picture.resize(rays.camera().width, rays.camera().height);
-  prepareScene(rays, scene, X_WC, hidden, work);
+  prepareScene(rays, scene, X_WC, hidden, options.shadows, work);
   castRows(rays, work, options, 0, picture.height, picture);
+  if (picture.has_boxes) findBoxes(picture);
 }
 
 Pose lookAt(const Vector3& eye_W, const Vector3& target_W) {

@@ -42,15 +42,17 @@ bool isSupported(CastLanes lanes);
 
 struct CastOptions {
   ImageSensor sensor;
-  bool antialias = false;  ///< four samples where a row of a tile sees more than one thing: for films, not for sensors
+  bool antialias = false;  ///< four samples where a row of a tile sees more than one thing: silhouettes, shadows' edges
+  bool shadows = false;    ///< the lamp's, with hard edges, on ground and drawables; in the place of soft patches
   CastLanes lanes = CastLanes::kWidest;
 };
 
 /// Puts a scene into the camera's frame, sorts it front to back, drops what the camera does not show. Overwrites work.
 /// X_WC: pose of the camera (x right, y down, z forward). hidden: owners that this camera does not draw;
-/// their shadows stay. For a rolling shutter, prepare and cast band by band with the pose of each.
+/// their shadows stay. shadows: as in CastOptions. For a rolling shutter, prepare and cast band by band with the pose
+/// of each.
 void prepareScene(const RayTable& rays, const RayScene& scene, const Pose& X_WC, std::span<const std::uint32_t> hidden,
-                  PreparedScene& work);
+                  bool shadows, PreparedScene& work);
 
 /// Fills rows [first_row, last_row) of a picture that has been given its size. Several threads may share one prepared
 /// scene and one picture when their rows differ; bands that start at multiples of 16 waste no work.

@@ -3,11 +3,12 @@
 /// @file The ray caster's kernel: all tiles of a band of rows, S = float or a pack of float.
 ///
 /// A tile is made in passes over its pixels: ground and sky, solid surfaces front to back, paint where the ground is
-/// still seen, shadows, bytes. Include in ray_caster.cpp and in the files of one instruction set only.
+/// still seen, shadows, bytes. Four samples a pixel go through all passes but the last once more. Include in
+/// ray_caster.cpp and in the files of one instruction set only.
 
 #include "murosimf/algorithms/cast_ground.h"
+#include "murosimf/algorithms/cast_shadow.h"
 #include "murosimf/algorithms/cast_store.h"
-#include "murosimf/algorithms/cast_surfaces.h"
 
 namespace murosimf {
 inline namespace MUROSIMF_ISA {
@@ -22,6 +23,7 @@ inline void castSample(const Tile& tile, const GroundPatch& patch) {
   const bool carpet_ends = some_carpet && ((carpet.sides | carpet.ends) & 1U) != 0;
   castPlane<S>(tile, some_carpet ? g.carpet : g.surroundings);
   castSurfaces<S, CastView::kCamera>(tile);
+  if (some_carpet && g.texture.levels > 0) addTexture<S>(tile, g);
   const bool painted = patch.corners > 0 && addPaint<S>(tile, patch);
   if (painted || carpet_ends) {
     fillPlane<S>(tile, tile.buffer.carpet, some_carpet && !carpet_ends ? 1.0F : 0.0F);
@@ -30,6 +32,8 @@ inline void castSample(const Tile& tile, const GroundPatch& patch) {
     mixPaint<S>(tile, g);
   }
   if (tile.scene.has_shadows) addShadows<S>(tile);
+  if (tile.scene.lamp_scene) castShadows<S>(tile);
+  if (painted && tile.job.marks_lines) markLines<S>(tile);
 }
 
 /// Rows in which, or in whose neighbours, more than one thing is seen; as bits.

@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "murosimf/algorithms/ground_texture.h"
 #include "murosimf/algorithms/picture.h"
 #include "murosimf/algorithms/shape.h"
 #include "murosimf/algorithms/triangle_mesh.h"
@@ -34,6 +35,9 @@ struct PaintedGround {
   Colour surroundings{0.35F, 0.32F, 0.30F};
   Colour paint{0.95F, 0.95F, 0.95F};
   float brightness = 1.0F;  ///< factor on all colours of the ground, >= 0
+  /// Laid on the carpet in the place of its colour, its upper edge towards +y; none: the colour.
+  std::shared_ptr<const GroundTexture> texture;
+  double texture_size = 0;  ///< edge of the square that it covers and is repeated in [m]; 0: it covers the carpet once
   std::vector<PaintedLine> lines;
   std::vector<PaintedCircle> circles;
 };

@@ -67,7 +67,9 @@ bool prepareBox(const CameraView& view, const Drawable& drawable, const UnitFram
         s.plane[--backs] = plane;
         continue;
       }
-      s.plane_colour[s.fronts] = litColour(view, drawable.colour, side * dot(axis[i], view.lamp_C));
+      const double cosine = side * dot(axis[i], view.lamp_C);
+      s.plane_colour[s.fronts] = litColour(view, drawable.colour, cosine);
+      s.plane_light[s.fronts] = lightOf(view, cosine);
       s.plane[s.fronts++] = plane;
     }
   }
@@ -109,6 +111,7 @@ bool prepareCylinder(const CameraView& view, const Drawable& drawable, const Uni
     const double side = f.o.z > 0.0 ? 1.0 : -1.0;
     s.cap = formOf(f.row[2] * (1.0 / (side - f.o.z)));
     s.cap_colour = litColour(view, drawable.colour, side * dot(r.z, view.lamp_C));
+    s.cap_light = lightOf(view, side * dot(r.z, view.lamp_C));
   }
   return s.has_side || s.has_cap;
 }
@@ -160,8 +163,12 @@ LinearForm formOf(const Vector3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
+float lightOf(const CameraView& view, double cosine, double factor) {
+  return static_cast<float>(factor * (view.ambient + (1.0 - view.ambient) * std::max(cosine, 0.0)));
+}
+
 CastColour litColour(const CameraView& view, const Colour& colour, double cosine, double factor) {
-  const auto light = static_cast<float>(factor * (view.ambient + (1.0 - view.ambient) * std::max(cosine, 0.0)));
+  const float light = lightOf(view, cosine, factor);
   return {colour.red * light, colour.green * light, colour.blue * light};
 }
 
