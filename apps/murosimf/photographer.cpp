@@ -53,6 +53,7 @@ Photographer::Photographer(const Scene& scene, Simulation& simulation, const std
     diagnostics.error({scene.file.string(), 0, 0}, fmt::format("there is no camera \"{}\"; there are {}{}", name,
                                                                fmt::join(known, ", "), didYouMean(name, known)));
   }
+  scene_.motions.resize(scene_.drawables.size());
   for (const ObjectId object : simulation.view().labelled()) {
     const std::uint16_t label = simulation.view().labelOf(object);
     objects_.push_back({label, world.path(object), categoryOf(simulation, object)});
@@ -63,6 +64,7 @@ void Photographer::add(const Scene& scene, ObjectId robot, ObjectId camera) {
   const World& world = simulation_.world();
   RobotCameraSettings settings = settingsOf(simulation_, robot, camera);
   settings.depth = true;
+  settings.latency = 0;
   settings.period = std::max(settings.period, simulation_.frameLength());
   auto rays = std::make_shared<const RayTable>(*world.find(camera, kCameraModel));
   cameras_.push_back({world.path(camera), std::make_unique<RobotCamera>(world, simulation_.view(), robot, camera,
@@ -75,7 +77,7 @@ const Picture& Photographer::take(std::size_t camera) {
   const long frame = simulation_.frame() - 1;
   RobotCamera& own = *cameras_[camera].camera;
   simulation_.view().snapshot(frame, scene_);
-  own.render(scene_, own.pose(simulation_.view(), frame), frame);
+  own.render(scene_, own.place(simulation_.view(), frame), frame);
   return own.picture();
 }
 

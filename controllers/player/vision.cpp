@@ -1,5 +1,6 @@
 #include "player/vision.h"
 
+#include <stdexcept>
 #include <utility>
 
 #include "player/vision/ball_finder.h"
@@ -79,8 +80,10 @@ void Vision::look(const client::CameraPicture& picture, const Pose& X_RC, Percep
   Camera& camera = cameras_[static_cast<std::size_t>(picture.camera)];
   const client::CameraDescription& d = camera.description;
   if (picture.width != d.width || picture.height != d.height) return;
-  if (picture.rgb.size() < static_cast<std::size_t>(3 * d.width * d.height)) return;
-  PictureView view{picture.rgb.data(), picture.camera, d.width, d.height, &d, &camera.rays, camera.colours, X_RC};
+  if (picture.format != client::PixelFormat::kRgb)
+    throw std::invalid_argument("the player's vision wants pictures in the format rgb");
+  if (picture.bytes.size() < static_cast<std::size_t>(3 * d.width * d.height)) return;
+  PictureView view{picture.bytes.data(), picture.camera, d.width, d.height, &d, &camera.rays, camera.colours, X_RC};
   learnColours(view, camera.colours);
   view.colours = camera.colours;
   camera.grid.fill(view);

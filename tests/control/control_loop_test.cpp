@@ -55,7 +55,7 @@ INSTANTIATE_TEST_SUITE_P(ShorterThanPeriodEqualAndLonger, Delays,
 void mixUp(Program& program, const client::SensorFrame& sensors, client::CommandFrame& commands) {
   double sum = sensors.joints[0].position + 0.25 * sensors.joints[1].velocity;
   for (const client::CameraPicture& picture : sensors.pictures) {
-    for (std::size_t i = 0; i < picture.rgb.size(); i += 7) sum += 1e-5 * picture.rgb[i];
+    for (std::size_t i = 0; i < picture.bytes.size(); i += 7) sum += 1e-5 * picture.bytes[i];
   }
   for (const client::TeamMessage& message : sensors.team_messages) sum += message.ball_x;
   commands.joints[0] = reach(std::fmod(sum, 3.0));

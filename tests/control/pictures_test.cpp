@@ -18,7 +18,7 @@ void comparePictures(double period, double phase, const std::function<long(long)
   std::vector<Seen> seen, own;
   std::vector<ControlledRobot> robots;
   robots.push_back(w.controlled(0, [&](Program&, const client::SensorFrame& sensors, auto&) {
-    for (const auto& p : sensors.pictures) seen.push_back({sensors.time, p.time, {p.rgb.begin(), p.rgb.end()}});
+    for (const auto& p : sensors.pictures) seen.push_back({sensors.time, p.time, {p.bytes.begin(), p.bytes.end()}});
   }));
   robots[0].cameras.push_back(nullptr);  // an eye that is shut
   robots[0].cameras.push_back(w.camera(0, period, phase));
@@ -32,7 +32,7 @@ void comparePictures(double period, double phase, const std::function<long(long)
     while (stamp(k) < frame + 1) ++k;
     if (stamp(k) != frame + 1) continue;
     w.view->snapshot(frame, scene);
-    camera->render(scene, camera->pose(*w.view, frame), frame);
+    camera->render(scene, camera->place(*w.view, frame), frame);
     const double taken = kFrame * static_cast<double>(frame + 1);
     own.push_back({std::ceil(static_cast<double>(frame + 1) / 10 - 1e-9) * 0.01, taken, camera->picture().rgb});
   }

@@ -107,8 +107,8 @@ void seeOrange(ScriptedRobot& robot, const client::SensorFrame& sensors) {
   robot.report.percepts.clear();
   for (const client::CameraPicture& picture : sensors.pictures) {
     double n = 0, u = 0, v = 0;
-    for (std::size_t i = 0; i < picture.rgb.size() / 3; ++i) {
-      const int r = picture.rgb[3 * i], g = picture.rgb[3 * i + 1], b = picture.rgb[3 * i + 2];
+    for (std::size_t i = 0; i < picture.bytes.size() / 3; ++i) {
+      const int r = picture.bytes[3 * i], g = picture.bytes[3 * i + 1], b = picture.bytes[3 * i + 2];
       if (r < 2 * g || g < 3 * b || r < 60) continue;
       const std::size_t width = static_cast<std::size_t>(picture.width), column = i % width, row = i / width;
       n += 1, u += static_cast<double>(column), v += static_cast<double>(row);

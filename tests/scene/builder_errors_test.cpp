@@ -55,7 +55,7 @@ TEST(BuilderErrors, UnknownCameraAndModuleAndParameters) {
                 "\"ray_castor\"; expected none or ray_caster (did you mean \"ray_caster\"?)",
                 "11:18: noise is 0.6, expected a number from 0 to 0.5",
                 "11:23: module ray_caster has no parameter \"gian\"; it knows noise, gain, antialias, lens, "
-                "extrapolate (did you mean \"gain\"?)",
+                "extrapolate, chain, format, rolling_shutter_readout, motion_blur_exposure, ",
                 "11:42: gain is 0, expected a number from 0.01 to 100", "11:57: antialias is neither true nor false"});
 }
 

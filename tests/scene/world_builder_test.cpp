@@ -45,7 +45,7 @@ TEST(WorldBuilder, CamerasOfAStraightRobotSitWhereItsTableSays) {
   const auto poseOf = [&](const char* name) {
     for (const auto& camera : blue.cameras) {
       if (simulation->world().path(camera->object()) != std::string("robots.blue.1.") + name) continue;
-      return camera->pose(simulation->view(), simulation->frame() - 1);
+      return camera->place(simulation->view(), simulation->frame() - 1).X_WC;
     }
     ADD_FAILURE() << "no camera " << name;
     return Pose{};

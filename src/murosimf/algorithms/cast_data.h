@@ -128,6 +128,7 @@ struct CastJob {
   float* depth;                     ///< null: not wanted
   std::uint16_t* label;             ///< null: not wanted
   std::int32_t* part;               ///< null: not wanted
+  float* light[3];                  ///< red, green, blue before the sensor; null: not wanted
   const std::int32_t* part_of;      ///< part of what TileBuffer::surface counts from -2 on
   float gain, deviation;            ///< in bytes: 255 times those of ImageSensor
   std::uint32_t key_low, key_high;  ///< of the noise

@@ -104,6 +104,13 @@ inline void storeRow(const CastJob& job, const TileBuffer& b, int first, std::ui
   if (to.part) storeParts(job, b, first, to.part);
 }
 
+/// The colours of a row of a tile, before the sensor.
+inline void storeLight(const CastJob& job, const TileBuffer& b, int first, std::uint32_t pixel, int count) {
+  const float* colours[3] = {b.red + first, b.green + first, b.blue + first};
+  for (int i = 0; i < 3; ++i)
+    __builtin_memcpy(job.light[i] + pixel, colours[i], static_cast<unsigned>(count) * sizeof(float));
+}
+
 /// Last pass: writes the part of a tile that lies in the job's rows and in the picture.
 template <class S>
 inline void storeTile(const CastJob& job, const TileBuffer& b, int left, int top) {
@@ -114,6 +121,7 @@ inline void storeTile(const CastJob& job, const TileBuffer& b, int left, int top
     const auto pixel =
         static_cast<std::uint32_t>(v) * static_cast<std::uint32_t>(job.width) + static_cast<std::uint32_t>(left);
     const Store to = storeAt(job, pixel);
+    if (job.light[0]) storeLight(job, b, first, pixel, count < kTileSize ? count : kTileSize);
     if (count >= kTileSize) {
       storeRow<S>(job, b, first, pixel, to);
       continue;

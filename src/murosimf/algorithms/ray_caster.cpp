@@ -72,6 +72,7 @@ void castRows(const RayTable& rays, const PreparedScene& work, const CastOptions
   job.depth = picture.depth.empty() ? nullptr : picture.depth.data();
   job.label = picture.label.empty() ? nullptr : picture.label.data();
   job.part = picture.part.empty() ? nullptr : picture.part.data(), job.part_of = work.part_of.data();
+  for (std::size_t i = 0; i < 3; ++i) job.light[i] = options.light ? options.light->plane[i].data() : nullptr;
   job.marks_lines = picture.marks_lines;
   job.gain = 255.0F * options.sensor.gain, job.deviation = 255.0F * options.sensor.deviation;
   job.key_low = static_cast<std::uint32_t>(options.sensor.key);

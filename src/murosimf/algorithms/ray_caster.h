@@ -18,6 +18,7 @@
 #include <span>
 #include <string_view>
 
+#include "murosimf/algorithms/light/light_picture.h"
 #include "murosimf/algorithms/prepared_scene.h"
 #include "murosimf/algorithms/ray_scene.h"
 #include "murosimf/algorithms/ray_table.h"
@@ -45,6 +46,7 @@ struct CastOptions {
   bool antialias = false;  ///< four samples where a row of a tile sees more than one thing: silhouettes, shadows' edges
   bool shadows = false;    ///< the lamp's, with hard edges, on ground and drawables; in the place of soft patches
   CastLanes lanes = CastLanes::kWidest;
+  LightPicture* light = nullptr;  ///< of the picture's size: takes what would reach the sensor, besides the bytes
 };
 
 /// Puts a scene into the camera's frame, sorts it front to back, drops what the camera does not show. Overwrites work.

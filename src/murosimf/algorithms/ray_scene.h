@@ -12,6 +12,7 @@
 #include "murosimf/algorithms/picture.h"
 #include "murosimf/algorithms/shape.h"
 #include "murosimf/algorithms/triangle_mesh.h"
+#include "murosimf/math/spatial.h"
 
 namespace murosimf {
 
@@ -61,6 +62,8 @@ struct RayScene {
   Colour sky{0.62F, 0.68F, 0.74F};  ///< walls and sky: whatever is seen above the horizon
   bool ground_shadows = false;      ///< soft dark patches on the ground beneath drawables
   std::vector<Drawable> drawables;
+  /// How drawables move: twist (w; v) of the origin of each one's frame, world axes. As many as drawables, or none.
+  std::vector<SpatialMotion<double>> motions;
 };
 
 }  // namespace murosimf

@@ -18,15 +18,17 @@ ControlLoop::ControlLoop(std::vector<ControlledRobot> robots, const SceneView& v
   }
   const int count = static_cast<int>(robots.size()), capacity = static_cast<int>(timing.delay / timing.period) + 2;
   int cameras = 0;
+  bool moving = false;  // some camera's picture needs motions
   for (ControlledRobot& robot : robots) {
     checkCameras(robot);
     const auto on = std::count_if(robot.cameras.begin(), robot.cameras.end(), [](auto& c) { return c != nullptr; });
     cameras += robot.program == nullptr ? 0 : static_cast<int>(on);
+    for (const auto& camera : robot.cameras) moving = moving || (camera != nullptr && !camera->settings().isInstant());
     robots_.push_back(std::make_unique<Runner>(robotCount(), count, capacity, std::move(robot)));
   }
   // A camera has at most one picture that waits for its program and one that is being rendered. Each has room for the
   // whole world: a thousand robots without software could not be held if theirs had as well.
-  snapshots_ = std::make_unique<SnapshotShelf>(view, 2 * cameras);
+  snapshots_ = std::make_unique<SnapshotShelf>(view, 2 * cameras, moving);
   const auto task = [this](int robot) { runTask(*robots_[static_cast<std::size_t>(robot)]); };
   pool_ = timing.paced ? makeThreadPerRobot(count, task) : makeSharedPool(timing.threads, task);
 }
@@ -103,7 +105,7 @@ void ControlLoop::takePictures(long frame) {
       if (camera == nullptr || !camera->isDue(frame)) continue;
       Exposure& exposure = runner->waiting[i];
       if (exposure.snapshot != kNoSnapshot) snapshots_->release(exposure.snapshot);
-      exposure = {snapshots_->hold(frame), frame, camera->pose(view_, frame)};
+      exposure = {snapshots_->hold(frame), frame, camera->place(view_, frame)};
     }
   }
 }
@@ -195,6 +197,8 @@ void ControlLoop::archive(StateArchive& archive) {
     archive(r.failed, fault);
     r.fault = r.failed ? std::optional(fault) : std::nullopt;
     if (r.runs()) r.controlled.program->archive(archive);
+    for (auto& camera : r.controlled.cameras)
+      if (camera != nullptr) archive(*camera);
   }
   snapshots_->archive(archive);
 }

@@ -102,6 +102,7 @@ class ControlLoop {
   struct Runner;
   void checkCameras(const ControlledRobot& robot) const;
   void takePictures(long frame);
+  void deliver(Runner& runner, std::size_t camera);
   void collect(Runner& runner, long next_frame);
   void deliverMessages();
   void launch(Runner& runner, long frame);

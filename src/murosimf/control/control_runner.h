@@ -19,7 +19,7 @@ inline constexpr long kNoSnapshot = -1;
 /// One picture that was taken but not rendered yet.
 struct Exposure {
   long snapshot = kNoSnapshot, frame = 0;
-  Pose X_WC;
+  MovingCamera place;
 };
 
 /// One robot with everything that its task touches. While `busy`, what stands in the second part is the task's.

@@ -59,13 +59,20 @@ void ControlLoop::render(Runner& runner) {
     const Exposure& exposure = runner.exposures[i];
     if (exposure.snapshot == kNoSnapshot) continue;
     RobotCamera& camera = *runner.controlled.cameras[i];
-    camera.render(snapshots_->scene(exposure.snapshot), exposure.X_WC, exposure.frame);
-    const Picture& picture = camera.picture();
-    runner.pictures.push_back({static_cast<int>(i), static_cast<double>(exposure.frame + 1) * frame_length_,
-                               picture.width, picture.height, std::span<const std::uint8_t>(picture.rgb)});
+    camera.render(snapshots_->scene(exposure.snapshot), exposure.place, exposure.frame);
     ++runner.counts.pictures;
   }
+  for (std::size_t i = 0; i < runner.exposures.size(); ++i) deliver(runner, i);
   runner.counts.picture_seconds += secondsSince(start);
+}
+
+/// One picture a step: a camera's period is no shorter than the program's.
+void ControlLoop::deliver(Runner& runner, std::size_t camera) {
+  RobotCamera* source = runner.controlled.cameras[camera].get();
+  if (source == nullptr || !source->deliver(runner.asked)) return;
+  const Picture& picture = source->picture();
+  runner.pictures.push_back({static_cast<int>(camera), source->time(), picture.width, picture.height, source->bytes(),
+                             static_cast<client::PixelFormat>(source->settings().format)});
 }
 
 void ControlLoop::stepProgram(Runner& runner) {

@@ -23,6 +23,7 @@ void SnapshotShelf::archive(StateArchive& archive) {
     archive(slot.holders, slot.frame);
     if (slot.holders == 0) continue;
     for (Drawable& drawable : slot.scene.drawables) archive(drawable.X_WS);
+    for (SpatialMotion<double>& motion : slot.scene.motions) archive(motion);
   }
 }
 

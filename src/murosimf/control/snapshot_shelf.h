@@ -13,8 +13,11 @@ namespace murosimf {
 class SnapshotShelf {
  public:
   /// @param most_held  snapshots that are held at the same time, at most
-  SnapshotShelf(const SceneView& view, int most_held)
-      : view_(view), slots_(static_cast<std::size_t>(most_held) + 1, Slot{view.initialScene(), 0, -1}) {}
+  /// @param with_motions  whether they tell how things move
+  SnapshotShelf(const SceneView& view, int most_held, bool with_motions = false)
+      : view_(view), slots_(static_cast<std::size_t>(most_held) + 1, Slot{view.initialScene(), 0, -1}) {
+    for (Slot& slot : slots_) slot.scene.motions.resize(with_motions ? slot.scene.drawables.size() : 0);
+  }
 
   /// The world at the end of this frame, taken at the first call in a frame, and held until release().
   /// @returns the snapshot's number

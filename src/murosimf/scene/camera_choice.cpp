@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "murosimf/scene/module_choice.h"
+#include "murosimf/scene/picture_chain.h"
 
 namespace murosimf {
 
@@ -50,7 +51,9 @@ CameraChoice cameraChoice(const RobotSettings& robot, const CameraMount& mount, 
     }
     if (*choice.period > 0) result.settings.period = *choice.period, period_where = choice.period.where;
     if (choice.phase.given()) result.settings.phase = *choice.phase;
+    const PictureChainReader chain(choice, result.settings, diagnostics);
     for (const NamedValue& parameter : choice.parameters) {
+      if (chain.owns(parameter)) continue;
       if (parameter.name == "noise") {
         readNumber(parameter, 0, 0.5, result.settings.noise, diagnostics);
       } else if (parameter.name == "gain") {
@@ -58,7 +61,8 @@ CameraChoice cameraChoice(const RobotSettings& robot, const CameraMount& mount, 
       } else if (parameter.name == "antialias") {
         readSwitch(parameter, result.settings.antialias, diagnostics);
       } else if (parameter.name != "lens" && parameter.name != "extrapolate") {  // these are read by LensBuilder
-        const std::vector<std::string> known{"noise", "gain", "antialias", "lens", "extrapolate"};
+        std::vector<std::string> known{"noise", "gain", "antialias", "lens", "extrapolate"};
+        for (std::string& name : PictureChainReader::knownParameters()) known.push_back(std::move(name));
         diagnostics.error(parameter.name_where,
                           fmt::format("module ray_caster has no parameter \"{}\"; it knows {}{}", parameter.name,
                                       fmt::join(known, ", "), didYouMean(parameter.name, known)));

@@ -72,6 +72,10 @@ void storePixels(const LightPicture& light, PixelFormat format, std::vector<std:
 
 void storePixels(const std::vector<std::uint8_t>& rgb, int width, int height, PixelFormat format,
                  std::vector<std::uint8_t>& bytes) {
+  if (format == PixelFormat::kRgb) {
+    bytes.assign(rgb.begin(), rgb.end());
+    return;
+  }
   storeAll(width, height, format, bytes, [&](std::size_t i) {
     return Colour3{static_cast<float>(rgb[3 * i]), static_cast<float>(rgb[3 * i + 1]),
                    static_cast<float>(rgb[3 * i + 2])};

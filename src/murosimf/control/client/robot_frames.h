@@ -16,12 +16,17 @@ struct JointReading {
   double torque = 0;    ///< [N m]; 0 where the level of detail knows none
 };
 
+/// Bytes of a picture: red, green, blue a pixel; blue, green, red; or YUV 4:2:2, two pixels in Y Cb Y Cr (BT.601, full
+/// range).
+enum class PixelFormat : std::uint8_t { kRgb, kBgr, kYuyv };
+
 /// One picture, valid only during the call that delivers it.
 struct CameraPicture {
   int camera = 0;   ///< index into RobotDescription::cameras
-  double time = 0;  ///< of the exposure [s]
+  double time = 0;  ///< of the middle of the exposure [s]
   int width = 0, height = 0;
-  std::span<const std::uint8_t> rgb;  ///< width * height * 3 bytes, rows from the top
+  std::span<const std::uint8_t> bytes;  ///< rows from the top, without gaps
+  PixelFormat format = PixelFormat::kRgb;
 };
 
 enum class GamePhase : std::uint8_t { kReady, kSet, kPlaying, kFinished };

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
+#include "murosimf/algorithms/light/light_filters.h"
 #include "murosimf/world/vocabulary.h"
 
 namespace murosimf {
@@ -20,7 +22,11 @@ RobotCamera::RobotCamera(const World& world, const SceneView& view, ObjectId rob
       settings_(settings),
       seed_(seed),
       period_(settings.period / frame_length),
-      phase_(settings.phase / frame_length) {
+      phase_(settings.phase / frame_length),
+      frame_length_(frame_length),
+      gathers_light_(!settings.chain.empty() || !settings.isInstant()),
+      queue_(std::lround(settings.latency / frame_length),
+             static_cast<std::size_t>(std::ceil(settings.latency / settings.period)) + 1) {
   const MountPlace* place = world.findShared(camera, kCameraPlace);
   if (place == nullptr) throw std::invalid_argument(fmt::format("camera {} has no camera_place", path_));
   if (!(period_ >= 1)) throw std::invalid_argument(fmt::format("camera {} has no period of at least one frame", path_));
@@ -30,6 +36,7 @@ RobotCamera::RobotCamera(const World& world, const SceneView& view, ObjectId rob
   if (const std::vector<int>* rows = world.findShared(camera, kHiddenRows)) {
     for (const int row : *rows) hidden_.push_back(view.ownerOf(robot, row));
   }
+  for (const PictureStep& step : settings_.chain) chain_.push_back(step.kind->make(model(), step.values));
 }
 
 bool RobotCamera::isDue(long frame) const {
@@ -40,15 +47,63 @@ bool RobotCamera::isDue(long frame) const {
   return false;
 }
 
-Pose RobotCamera::pose(const SceneView& view, long frame) const { return view.bodyPose(robot_, row_, frame) * X_BC_; }
+MovingCamera RobotCamera::place(const SceneView& view, long frame) const {
+  const Pose X_WB = view.bodyPose(robot_, row_, frame), X_WC = X_WB * X_BC_;
+  if (settings_.isInstant()) return {X_WC, {}};
+  const SpatialMotion<double> V = view.bodyMotion(robot_, row_, frame);
+  return {X_WC, {V.w, V.v + cross(V.w, X_WC.translation - X_WB.translation)}};
+}
 
-void RobotCamera::render(const RayScene& scene, const Pose& X_WC, long frame) {
+void RobotCamera::render(const RayScene& scene, const MovingCamera& place, long frame) {
+  const std::uint64_t key = noiseKey(seed_, path_, static_cast<std::uint64_t>(frame + 1));
+  cast(scene, place, key);
+  if (gathers_light_) finishLight(key, frame);
+  last_frame_ = frame;
+  waits_ = true;
+  if (!late()) return;
+  queue_.add(picture_, frame);
+  picture_.has_depth = settings_.depth;
+}
+
+bool RobotCamera::deliver(long frame) {
+  const long taken = late() ? queue_.next(frame, shown_) : std::exchange(waits_, false) ? last_frame_ : -1;
+  if (taken < 0) return false;
+  time_ = static_cast<double>(taken + 1) * frame_length_ - settings_.shutter.age();
+  if (settings_.format != PixelFormat::kRgb)
+    storePixels(picture().rgb, picture().width, picture().height, settings_.format, bytes_);
+  return true;
+}
+
+std::span<const std::uint8_t> RobotCamera::bytes() const {
+  return settings_.format == PixelFormat::kRgb ? picture().rgb : bytes_;
+}
+
+void RobotCamera::cast(const RayScene& scene, const MovingCamera& place, std::uint64_t key) {
   CastOptions options;
   options.antialias = settings_.antialias;
-  options.sensor.gain = static_cast<float>(settings_.gain);
-  options.sensor.deviation = static_cast<float>(settings_.noise);
-  options.sensor.key = noiseKey(seed_, path_, static_cast<std::uint64_t>(frame + 1));
-  castPicture(*rays_, scene, X_WC, hidden_, options, work_, picture_);
+  if (gathers_light_) {
+    castThroughShutter(*rays_, scene, place, hidden_, options, settings_.shutter, work_, picture_, light_);
+    return;
+  }
+  options.sensor = {static_cast<float>(settings_.gain), static_cast<float>(settings_.noise), key};
+  castPicture(*rays_, scene, place.X_WC, hidden_, options, work_.prepared, picture_);
+}
+
+/// The chain; without one what a sensor does by itself.
+void RobotCamera::finishLight(std::uint64_t key, long frame) {
+  const double since_last = last_frame_ < 0 ? 0 : static_cast<double>(frame - last_frame_) * frame_length_;
+  for (const auto& module : chain_) module->apply(light_, {key, since_last});
+  if (chain_.empty()) {
+    const auto gain = static_cast<float>(settings_.gain);
+    scaleLight(light_, {gain, gain, gain});
+    addLightNoise(light_, {static_cast<float>(settings_.noise), 0, key});
+  }
+  storePixels(light_, PixelFormat::kRgb, picture_.rgb);
+}
+
+void RobotCamera::archive(StateArchive& archive) {
+  archive(last_frame_, queue_);
+  for (const auto& module : chain_) module->archive(archive);
 }
 
 }  // namespace murosimf

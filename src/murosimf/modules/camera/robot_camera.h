@@ -5,21 +5,38 @@
 #include <memory>
 #include <string>
 
+#include "murosimf/algorithms/light/pixel_format.h"
+#include "murosimf/algorithms/light/shutter.h"
 #include "murosimf/algorithms/ray_caster.h"
+#include "murosimf/modules/camera/picture_modules.h"
+#include "murosimf/modules/camera/picture_queue.h"
 #include "murosimf/modules/camera/scene_view.h"
 
 namespace murosimf {
 
-/// Level of detail "ray_caster": casts a ray through the real lens for every pixel, adds the sensor's noise.
+/// A picture module of a camera's chain, with the values of its parameters.
+struct PictureStep {
+  const PictureModuleKind* kind = nullptr;
+  PictureValues values;
+};
+
+/// Level of detail "ray_caster": casts a ray through the real lens for every pixel.
 /// Parameters of the method; the lens and the mount are constants of the camera's object.
 struct RobotCameraSettings {
   double period = 0.05;  ///< between pictures [s]
   double phase = 0;      ///< time of the first picture [s]
-  double noise = 0.015;  ///< standard deviation, share of full scale
-  double gain = 1;       ///< brightness of the sensor
+  double noise = 0.015;  ///< standard deviation, share of full scale; where there is no chain
+  double gain = 1;       ///< brightness of the sensor; likewise
   /// Four samples a pixel where a silhouette passes, as a real sensor averages light over its pixels.
   bool antialias = false;
-  bool depth = false;  ///< whether pictures have depths
+  bool depth = false;              ///< whether pictures have depths
+  Shutter shutter;                 ///< a moment, unless told
+  std::vector<PictureStep> chain;  ///< what happens to the light, in this order; none: gain and noise
+  PixelFormat format = PixelFormat::kRgb;
+  double latency = 0;  ///< from the end of the exposure until the picture is delivered [s]
+
+  /// Whether pictures need the motion of camera and things.
+  bool isInstant() const { return shutter.readout <= 0 && shutter.exposure <= 0; }
 };
 
 class RobotCamera {
@@ -38,24 +55,46 @@ class RobotCamera {
   /// True when a picture is due at the end of this frame; `frame` = -1 is the moment before the first one. Picture k is
   /// taken at phase + k period, rounded to frames: at 30 Hz and 1 ms after 33, 67, 100 frames, so nothing drifts.
   bool isDue(long frame) const;
-  /// X_WC at the end of a frame.
-  Pose pose(const SceneView& view, long frame) const;
-  /// Renders into picture(). May run on any thread while the simulation goes on; reads only its arguments.
-  void render(const RayScene& scene, const Pose& X_WC, long frame);
-  const Picture& picture() const { return picture_; }
+  /// Where it is at the end of a frame, and how it moves.
+  MovingCamera place(const SceneView& view, long frame) const;
+  /// Renders a picture. May run on any thread while the simulation goes on; reads only its arguments. The scene needs
+  /// motions unless settings().isInstant().
+  void render(const RayScene& scene, const MovingCamera& place, long frame);
+  /// Lets the oldest picture arrive that was rendered and has spent the latency on its way by the end of this frame.
+  /// @return false where there is none
+  bool deliver(long frame);
+  /// The picture that has arrived last; where there is no latency, the one that was rendered last.
+  const Picture& picture() const { return late() ? shown_ : picture_; }
+  /// Its bytes as control software gets them, and the middle of its exposure [s].
+  std::span<const std::uint8_t> bytes() const;
+  double time() const { return time_; }
+
+  void archive(StateArchive& archive);
 
  private:
+  void cast(const RayScene& scene, const MovingCamera& place, std::uint64_t key);
+  void finishLight(std::uint64_t key, long frame);
+  bool late() const { return settings_.latency > 0; }
+
   ObjectId robot_, object_;
   std::string path_;
   std::shared_ptr<const RayTable> rays_;
   RobotCameraSettings settings_;
   std::uint64_t seed_;
-  double period_, phase_;  // in frames
+  double period_, phase_, frame_length_;  // period and phase in frames
   int row_;
   Pose X_BC_;
   std::vector<std::uint32_t> hidden_;
-  PreparedScene work_;
-  Picture picture_;
+  std::vector<std::unique_ptr<PictureModule>> chain_;
+  bool gathers_light_;
+  long last_frame_ = -1;  // of the picture before; -1: none
+  ShutterWork work_;
+  LightPicture light_;
+  Picture picture_, shown_;  // shown_: where there is latency
+  PictureQueue queue_;
+  bool waits_ = false;               // picture_ has not been delivered yet
+  std::vector<std::uint8_t> bytes_;  // in a format that is not the picture's
+  double time_ = 0;
 };
 
 }  // namespace murosimf

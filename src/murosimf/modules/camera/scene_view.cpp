@@ -31,12 +31,14 @@ const OutsideAccess& SceneView::robotAccess() {
 
 SceneView::SceneView(const World& world, LinkedWorld& linked, const std::vector<ObjectId>& robots,
                      const std::vector<ObjectId>& free_bodies, const std::vector<ObjectId>& fixed)
-    : robots_(robots) {
+    : robots_(robots), frame_length_(linked.frameLength()) {
   if (const PaintedGround* ground = world.findShared(world.root(), kGround)) initial_.ground = *ground;
   for (const ObjectId id : free_bodies) {
     Source source;
     source.body = static_cast<int>(bodies_.size());
     bodies_.push_back(linked.handle(id, kBasePose));
+    velocities_.push_back(linked.handle(id, kBodyVelocity));
+    rates_.push_back(linked.handle(id, kBodyRate));
     addShapes(world, id, Pose{}, source);
   }
   for (const ObjectId id : robots) {
@@ -74,13 +76,41 @@ void SceneView::addShapes(const World& world, ObjectId object, const Pose& X_WB,
 void SceneView::snapshot(long frame, RayScene& scene) const {
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     const Source& source = sources_[i];
+    Pose& X_WS = scene.drawables[i].X_WS;
     if (source.robot >= 0) {
       const BodyPath& path = paths_[static_cast<std::size_t>(source.robot)];
-      scene.drawables[i].X_WS = path.pose(source.row, path.shareAfter(frame)) * source.X_BS;
+      X_WS = path.pose(source.row, path.shareAfter(frame)) * source.X_BS;
     } else if (source.body >= 0) {
-      scene.drawables[i].X_WS = bodies_[static_cast<std::size_t>(source.body)].get() * source.X_BS;
+      X_WS = bodies_[static_cast<std::size_t>(source.body)].get() * source.X_BS;
     }
+    if (!scene.motions.empty()) scene.motions[i] = motionOf(source, X_WS, frame);
   }
+}
+
+/// Of a drawable's origin. What never moves has none.
+SpatialMotion<double> SceneView::motionOf(const Source& source, const Pose& X_WS, long frame) const {
+  SpatialMotion<double> V;
+  Vector3 p_WB;
+  if (source.robot >= 0) {
+    const BodyPath& path = paths_[static_cast<std::size_t>(source.robot)];
+    V = motionOf(path, source.row, frame);
+    p_WB = path.position(source.row, path.shareAfter(frame));
+  } else if (source.body >= 0) {
+    const auto body = static_cast<std::size_t>(source.body);
+    V = {rates_[body].get(), velocities_[body].get()};
+    p_WB = bodies_[body].get().translation;
+  }
+  return {V.w, V.v + cross(V.w, X_WS.translation - p_WB)};
+}
+
+/// A hand's work is no motion.
+SpatialMotion<double> SceneView::motionOf(const BodyPath& path, int row, long frame) const {
+  constexpr double kJump = 0.05;  // [m] in a frame
+  const Pose begin = path.pose(row, path.shareAt(frame)), end = path.pose(row, path.shareAfter(frame));
+  const Vector3 way = end.translation - begin.translation;
+  if (squaredNorm(way) > kJump * kJump) return {};
+  const double per_second = 1 / frame_length_;
+  return {end.rotation * rotationLog(transposed(begin.rotation) * end.rotation) * per_second, way * per_second};
 }
 
 std::uint16_t SceneView::labelOf(ObjectId object) const {
@@ -92,10 +122,18 @@ std::uint32_t SceneView::ownerOf(ObjectId object, int row) const {
   return labelOf(object) * kRowsPerOwner + static_cast<std::uint32_t>(row);
 }
 
-Pose SceneView::bodyPose(ObjectId robot, int row, long frame) const {
+const BodyPath& SceneView::pathOf(ObjectId robot) const {
   const auto found = std::find(robots_.begin(), robots_.end(), robot);
-  const BodyPath& path = paths_[static_cast<std::size_t>(found - robots_.begin())];
+  return paths_[static_cast<std::size_t>(found - robots_.begin())];
+}
+
+Pose SceneView::bodyPose(ObjectId robot, int row, long frame) const {
+  const BodyPath& path = pathOf(robot);
   return path.pose(row, path.shareAfter(frame));
+}
+
+SpatialMotion<double> SceneView::bodyMotion(ObjectId robot, int row, long frame) const {
+  return motionOf(pathOf(robot), row, frame);
 }
 
 }  // namespace murosimf

@@ -25,7 +25,8 @@ class SceneView {
   SceneView(const World& world, LinkedWorld& linked, const std::vector<ObjectId>& robots,
             const std::vector<ObjectId>& free_bodies, const std::vector<ObjectId>& fixed);
 
-  /// Writes poses as they are at the end of this frame. `scene` must be a copy of initialScene().
+  /// Writes poses as they are at the end of this frame. `scene` must be a copy of initialScene(). If it has been given
+  /// room for motions, it also gets those, as means over the frame.
   void snapshot(long frame, RayScene& scene) const;
   const RayScene& initialScene() const { return initial_; }
 
@@ -35,14 +36,18 @@ class SceneView {
   /// All that is drawn, in the order of their labels.
   const std::vector<ObjectId>& labelled() const { return labelled_; }
   std::uint32_t ownerOf(ObjectId object, int row) const;
-  /// X_WB of a body at the end of a frame.
+  /// X_WB of a body at the end of a frame, and its twist (w; v) over the frame: world axes, of its origin.
   Pose bodyPose(ObjectId robot, int row, long frame) const;
+  SpatialMotion<double> bodyMotion(ObjectId robot, int row, long frame) const;
 
  private:
   struct Source {  // where the pose of one drawable comes from
     int robot = -1, body = -1, row = 0;
     Pose X_BS;
   };
+  const BodyPath& pathOf(ObjectId robot) const;
+  SpatialMotion<double> motionOf(const BodyPath& path, int row, long frame) const;
+  SpatialMotion<double> motionOf(const Source& source, const Pose& X_WS, long frame) const;
   void addShapes(const World& world, ObjectId object, const Pose& X_WB, Source source);
 
   RayScene initial_;
@@ -51,6 +56,8 @@ class SceneView {
   std::vector<ObjectId> robots_, labelled_;
   std::vector<BodyPath> paths_;
   std::vector<Handle<Pose>> bodies_;
+  std::vector<Handle<Vector3>> velocities_, rates_;  // as bodies_
+  double frame_length_;
 };
 
 }  // namespace murosimf
