@@ -23,8 +23,11 @@ class ContactsRenderer final : public PropertyRenderer {
   }
   /// A line of the list, matched with the world's root by the table of surfaces.
   static RendererEntry entry(Simulation& simulation) {
-    return {"contacts", std::string(kSurfaceTable.name), std::string(subset::kSelf),
-            "points and forces; 1 m: 100 N", false,
+    return {"contacts",
+            std::string(kSurfaceTable.name),
+            std::string(subset::kSelf),
+            "points and forces; 1 m: 100 N",
+            false,
             [&simulation](const RenderedObject&) { return std::make_unique<ContactsRenderer>(simulation); }};
   }
 

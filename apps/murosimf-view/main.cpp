@@ -44,7 +44,8 @@ int run(int argc, char** argv) {
   app.add_option("scenario", arguments.scenario, "scenario file (.toml)")->required();
   app.add_option("--set", arguments.overrides, "PATH=VALUE: change any value of the scenario")->allow_extra_args(false);
   app.add_option("--size", arguments.size, "width and height of the window [px]")->expected(2);
-  app.add_option("--script", arguments.script, "commands that drive the window (docs/viewer.md); it closes at their end");
+  app.add_option("--script", arguments.script,
+                 "commands that drive the window (docs/viewer.md); it closes at their end");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -63,7 +63,8 @@ std::string wordsOf(const ConstantEntry& entry) {
   if (const auto* text = std::any_cast<std::string>(&value)) return *text;
   if (const auto* written = std::any_cast<WrittenValue>(&value)) return wordsOf(*written);
   if (const auto* camera = std::any_cast<CameraModel>(&value)) return wordsOf(*camera);
-  if (const auto* shapes = std::any_cast<std::vector<PlacedShape>>(&value)) return fmt::format("{} shapes", shapes->size());
+  if (const auto* shapes = std::any_cast<std::vector<PlacedShape>>(&value))
+    return fmt::format("{} shapes", shapes->size());
   if (const auto* soles = std::any_cast<std::vector<SolePlace>>(&value)) return fmt::format("{} soles", soles->size());
   if (const auto* tree = std::any_cast<TreeTable>(&value)) return fmt::format("{} rows", tree->rows.size());
   return "";
@@ -92,9 +93,8 @@ std::vector<ObjectVariable> variablesOf(const World& world, const LinkedWorld& l
       found.push_back({place.assembly, &layout, &place, static_cast<int>(member - members.begin())});
     }
   }
-  std::sort(found.begin(), found.end(), [](const ObjectVariable& a, const ObjectVariable& b) {
-    return a.layout->property < b.layout->property;
-  });
+  std::sort(found.begin(), found.end(),
+            [](const ObjectVariable& a, const ObjectVariable& b) { return a.layout->property < b.layout->property; });
   return found;
 }
 

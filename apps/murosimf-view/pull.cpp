@@ -9,8 +9,8 @@ namespace murosimf {
 
 namespace {
 
-constexpr double kRate = 8;     // w [rad/s]
-constexpr double kMostG = 20;   // of force over weight
+constexpr double kRate = 8;    // w [rad/s]
+constexpr double kMostG = 20;  // of force over weight
 
 bool isRobot(const Simulation& simulation, ObjectId object) {
   const auto& robots = simulation.participants().robots;

@@ -3,7 +3,7 @@
 /// @file A script that drives the window as a person would: for tests and for the pictures of the documentation.
 ///
 ///     run 2.5                  simulated seconds, as fast as they go
-///     key space                as docs/viewer.md lists them: space, left, right, pageup, pagedown, plus, minus, f1, ...
+///     key space                as docs/viewer.md lists: space, left, right, pageup, pagedown, plus, minus, f1 ...
 ///     click Simulation/run     the widget of that name, with the mouse; `rightclick`, `doubleclick` likewise
 ///     click 400 300            a place in the window
 ///     drag 400 300 500 300     with the left mouse button; `rightdrag`, `pull` (with Ctrl) likewise
@@ -47,7 +47,8 @@ class ScriptRunner {
 
  private:
   void act(Viewer& viewer, const ScriptLine& line);
-  void moveMouse(Viewer& viewer, const ScriptLine& line);
+  void click(const ScriptLine& line);
+  void drag(const ScriptLine& line);
 
   std::vector<ScriptLine> lines_;
   std::size_t next_ = 0;

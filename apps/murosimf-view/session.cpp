@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "game/game.h"
 #include "murosimf-view/contacts_renderer.h"
@@ -56,9 +57,7 @@ Session::~Session() {
   }
 }
 
-void Session::changeSpeed(bool faster) {
-  speed = std::clamp(faster ? 2 * speed : 0.5 * speed, kSlowest, 1 / kSlowest);
-}
+void Session::changeSpeed(bool faster) { speed = std::clamp(faster ? 2 * speed : 0.5 * speed, kSlowest, 1 / kSlowest); }
 
 /// False when it failed: the simulation stands still then, and the window goes on.
 bool Session::step() {
@@ -99,7 +98,7 @@ void Session::advance(double wall_seconds, double budget) {
     recording_time_ = std::min(recording_time_ + speed * wall_seconds, recording_->endTime());
     return recording_->show(recording_time_);
   }
-  if (!running || !fault_.empty()) return measure(wall_seconds);
+  if (!running || !fault_.empty()) return measure(std::exchange(ran_, false) ? wall_seconds : -1);
   const double start = wallClock(), frame = simulation_->frameLength();
   // What could not be run in time is not caught up: the window would jump.
   owed_ = std::min(owed_ + speed * wall_seconds, std::max(speed * budget, frame));
@@ -111,16 +110,23 @@ void Session::advance(double wall_seconds, double budget) {
   measure(wall_seconds);
 }
 
+double Session::timeOf(long frames) const { return static_cast<double>(frames) * simulation_->frameLength(); }
+
 void Session::run(long frames) {
   running = false;
+  ran_ = true;
   owed_ = 0;
-  if (recording_ != nullptr) return showRecording(recording_time_ + static_cast<double>(frames) * simulation_->frameLength());
+  if (recording_ != nullptr) return showRecording(recording_time_ + timeOf(frames));
   for (long i = 0; i < frames && fault_.empty() && step(); ++i) simulated_ += simulation_->frameLength();
 }
 
-/// While it is paused the last figures stay.
+/// Below 0: it is paused, and the last figures stay.
 void Session::measure(double wall_seconds) {
-  wall_ = simulated_ > 0 ? wall_ + wall_seconds : 0;
+  if (wall_seconds < 0) {
+    wall_ = simulated_ = 0;
+    return;
+  }
+  wall_ += wall_seconds;
   if (wall_ < kMeasured) return;
   figures_.factor = simulated_ / wall_;
   wall_ = simulated_ = 0;
@@ -137,7 +143,7 @@ void Session::measure(double wall_seconds) {
 void Session::goBy(long frames) {
   running = false;
   owed_ = 0;
-  if (recording_ != nullptr) return showRecording(recording_time_ + static_cast<double>(frames) * simulation_->frameLength());
+  if (recording_ != nullptr) return showRecording(recording_time_ + timeOf(frames));
   if (!fault_.empty()) return;
   try {
     history_->goTo(simulation_->frame() + frames);

@@ -21,7 +21,7 @@ namespace murosimf {
 
 /// How fast it went, over about the last second of wall time.
 struct RunFigures {
-  double factor = 0;  ///< simulated seconds a second
+  double factor = 0;                                                           ///< simulated seconds a second
   std::array<double, static_cast<std::size_t>(Stage::kCount)> stage_shares{};  ///< of the time in frames, each
 };
 
@@ -76,6 +76,7 @@ class Session {
 
  private:
   bool step();
+  double timeOf(long frames) const;
   void measure(double wall_seconds);
 
   Scene scene_;
@@ -89,7 +90,8 @@ class Session {
   double owed_ = 0;  // simulated time that is still to be run [s]
   std::string fault_;
   RunFigures figures_;
-  double wall_ = 0, simulated_ = 0;  // since the last measurement
+  bool ran_ = false;                                                      // run() did, in this picture
+  double wall_ = 0, simulated_ = 0;                                       // since the last measurement
   std::array<double, static_cast<std::size_t>(Stage::kCount)> stages_{};  // at the last measurement
 };
 

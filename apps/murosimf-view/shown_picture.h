@@ -25,7 +25,8 @@ class ShownPicture {
   /// An image of this width [px], its height in proportion.
   void draw(float width) const {
     const float height = width * static_cast<float>(height_) / static_cast<float>(width_);
-    ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture_.name())), {width, height});  // NOLINT
+    ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture_.name())),
+                 {width, height});  // NOLINT
   }
 
  private:

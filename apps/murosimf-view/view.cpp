@@ -12,8 +12,8 @@ namespace murosimf {
 
 namespace {
 
-constexpr double kTurnAPicture = 4;      // [rad] that the mouse turns over the picture's width
-constexpr double kZoomAStep = 0.88;      // of the wheel
+constexpr double kTurnAPicture = 4;  // [rad] that the mouse turns over the picture's width
+constexpr double kZoomAStep = 0.88;  // of the wheel
 constexpr std::uint32_t kNobody = 0xffffffff;
 
 ImU32 colourOf(const Tint& tint) { return ImGui::GetColorU32({tint.red, tint.green, tint.blue, tint.cover}); }
@@ -129,7 +129,8 @@ void SceneViewport::handleMouse(Session& session) {
   if (io.WantCaptureMouse) return;
   if (io.MouseWheel != 0) camera.zoom(std::pow(kZoomAStep, static_cast<double>(io.MouseWheel)));
   const double width = std::max(1, view_.camera.width);
-  const double right = static_cast<double>(io.MouseDelta.x) / width, down = static_cast<double>(io.MouseDelta.y) / width;
+  const double right = static_cast<double>(io.MouseDelta.x) / width,
+               down = static_cast<double>(io.MouseDelta.y) / width;
   if (io.KeyCtrl && ImGui::IsMouseClicked(0)) {
     beginPull(session);
   } else if (ImGui::IsMouseDoubleClicked(0)) {

@@ -18,15 +18,15 @@ class SceneViewport {
 
   OrbitCamera camera;
   bool shadows = true;
-  std::string screenshot;  ///< file for the next complete picture of the window; empty: none
-  FilmStrip film;          ///< of the window
+  std::string screenshot;    ///< file for the next complete picture of the window; empty: none
+  FilmStrip film;            ///< of the window
   bool see_through = false;  ///< shapes, so that what lies in them is seen
-  bool follows = false;  ///< the camera's target moves with the selected object
+  bool follows = false;      ///< the camera's target moves with the selected object
 
   /// Draws the session as it is now, over all of the window's picture, words too.
   void draw(Session& session, int width, int height);
-  /// What the mouse does where no widget is: left orbits, right or shift-left pans, wheel zooms, a double click selects,
-  /// Ctrl and left pull the body under the mouse.
+  /// What the mouse does where no widget is: left orbits, right or Shift and left pan, the wheel zooms, a double click
+  /// selects, Ctrl and left pull the body under the mouse.
   void handleMouse(Session& session);
   /// Where a place of the world is in the window; nothing behind the camera.
   std::optional<ImagePoint> placeOf(const Vector3& p_W) const;

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "murosimf/commands.h"
 #include "game/game.h"
+#include "murosimf/commands.h"
 #include "murosimf/linking/schedule.h"
 #include "murosimf/modules/all_modules.h"
 #include "murosimf/robot/calibration_file.h"

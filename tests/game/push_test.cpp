@@ -18,8 +18,8 @@ namespace {
 /// Robots that nobody controls: they stand.
 struct Stand {
   explicit Stand(std::vector<std::string> overrides = {}) {
-    overrides.insert(overrides.end(), {"robots.all.control=none", "robots.all.cameras.head=none",
-                                       "robots.all.cameras.chest=none"});
+    overrides.insert(overrides.end(),
+                     {"robots.all.control=none", "robots.all.cameras.head=none", "robots.all.cameras.chest=none"});
     scene = readScenario("scenarios/game_3v3.toml", overrides, diagnostics);
     simulation = buildGame(*scene, diagnostics);
     EXPECT_EQ(diagnostics.text(), "");

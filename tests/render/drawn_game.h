@@ -29,16 +29,15 @@ inline std::vector<ObjectId> labelledObjects(const Simulation& simulation) {
 struct DrawnGame {
   explicit DrawnGame(const RendererRegistry& registry = allRenderers(), std::vector<std::string> overrides = {})
       : list(meshes) {
-    overrides.insert(overrides.end(), {"robots.all.control=none", "robots.all.cameras.head=none",
-                                       "robots.all.cameras.chest=none"});
+    overrides.insert(overrides.end(),
+                     {"robots.all.control=none", "robots.all.cameras.head=none", "robots.all.cameras.chest=none"});
     scene = readScenario("scenarios/game_3v3.toml", overrides, diagnostics);
     EXPECT_EQ(diagnostics.text(), "");
-    simulation = buildGame(*scene, diagnostics, [&](const Participants& participants) {
-      return registry.attachments(participants.robots);
-    });
+    simulation = buildGame(*scene, diagnostics,
+                           [&](const Participants& participants) { return registry.attachments(participants.robots); });
     EXPECT_EQ(diagnostics.text(), "");
-    renderings = std::make_unique<Renderings>(registry, simulation->world(), simulation->linked(),
-                                              labelledObjects(*simulation));
+    renderings =
+        std::make_unique<Renderings>(registry, simulation->world(), simulation->linked(), labelledObjects(*simulation));
     simulation->step();
   }
   const DrawList& draw() {

@@ -28,9 +28,7 @@ class GlPicture : public testing::Test {
   std::unique_ptr<GlContext> context_;
 };
 
-GlView viewOf(const OrbitCamera& camera, int width, int height) {
-  return {camera.model(width, height), camera.pose()};
-}
+GlView viewOf(const OrbitCamera& camera, int width, int height) { return {camera.model(width, height), camera.pose()}; }
 
 OrbitCamera acrossTheField() {
   OrbitCamera camera;

@@ -20,8 +20,8 @@ class CamerasPanel final : public Panel {
     int robot = 0;
     std::size_t camera = 0;
     ShownPicture shown;
-    double time = -1;     // of the picture that is shown [s]
-    long frame = -1;      // in which that was looked for
+    double time = -1;  // of the picture that is shown [s]
+    long frame = -1;   // in which that was looked for
     Picture picture;
     std::string caption;
   };
@@ -55,8 +55,8 @@ class CamerasPanel final : public Panel {
 
   bool isWanted(Session& session, const Inset& inset) const {
     if (!selected_only_ || !session.selected.valid()) return true;
-    const std::string& path = session.world().path(session.simulation().participants().robots[
-        static_cast<std::size_t>(inset.robot)]);
+    const std::string& path =
+        session.world().path(session.simulation().participants().robots[static_cast<std::size_t>(inset.robot)]);
     return session.world().path(session.selected).starts_with(path);
   }
 

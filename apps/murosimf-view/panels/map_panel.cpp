@@ -55,7 +55,8 @@ class MapPanel final : public Panel {
   static int robotOf(Session& session) {
     const auto& robots = session.simulation().participants().robots;
     for (std::size_t i = 0; i < robots.size() && session.selected.valid(); ++i) {
-      if (session.world().path(session.selected).starts_with(session.world().path(robots[i]))) return static_cast<int>(i);
+      if (session.world().path(session.selected).starts_with(session.world().path(robots[i])))
+        return static_cast<int>(i);
     }
     return robots.empty() ? -1 : 0;
   }
@@ -82,11 +83,12 @@ class MapPanel final : public Panel {
     const PaintedGround* ground = world.findShared(world.root(), kGround);
     if (ground == nullptr) return;
     for (const PaintedLine& line : ground->lines) {
-      canvas_->AddLine(place(seenFrom(from, line.a_x, line.a_y)), place(seenFrom(from, line.b_x, line.b_y)), colour, 1.5F);
+      canvas_->AddLine(place(seenFrom(from, line.a_x, line.a_y)), place(seenFrom(from, line.b_x, line.b_y)), colour,
+                       1.5F);
     }
     for (const PaintedCircle& circle : ground->circles) {
-      canvas_->AddCircle(place(seenFrom(from, circle.x, circle.y)), scale_ * static_cast<float>(circle.radius), colour, 48,
-                         1.5F);
+      canvas_->AddCircle(place(seenFrom(from, circle.x, circle.y)), scale_ * static_cast<float>(circle.radius), colour,
+                         48, 1.5F);
     }
   }
 

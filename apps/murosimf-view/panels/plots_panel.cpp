@@ -17,11 +17,11 @@ struct Range {
 
 Range rangeOf(const Plot& plot, float from) {
   Range range;
-  range.first = static_cast<std::size_t>(std::lower_bound(plot.times.begin(), plot.times.end(), from) -
-                                         plot.times.begin());
+  range.first =
+      static_cast<std::size_t>(std::lower_bound(plot.times.begin(), plot.times.end(), from) - plot.times.begin());
   if (range.first >= plot.values.size()) return range;
-  const auto [low, high] = std::minmax_element(plot.values.begin() + static_cast<std::ptrdiff_t>(range.first),
-                                               plot.values.end());
+  const auto [low, high] =
+      std::minmax_element(plot.values.begin() + static_cast<std::ptrdiff_t>(range.first), plot.values.end());
   range.low = *low, range.high = *high;
   const float least = std::max(1e-9F, 1e-4F * std::max(std::abs(range.low), std::abs(range.high)));
   if (range.high - range.low < least) range.low -= least, range.high += least;

@@ -55,8 +55,7 @@ class SimulationPanel final : public Panel {
   static void drawStages(const Session& session) {
     for (int i = 0; i < static_cast<int>(Stage::kCount); ++i) {
       const double share = session.figures().stage_shares[static_cast<std::size_t>(i)];
-      const std::string words =
-          fmt::format("{} {:.0f} %", nameOf(static_cast<Stage>(i)), 100 * share);
+      const std::string words = fmt::format("{} {:.0f} %", nameOf(static_cast<Stage>(i)), 100 * share);
       ImGui::ProgressBar(static_cast<float>(share), {-1, 13}, words.c_str());
     }
   }

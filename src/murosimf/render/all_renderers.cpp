@@ -35,11 +35,14 @@ RendererRegistry allRenderers() {
   all.add<NameRenderer>(line("name", kBasePose, kSelf, "path of the object"));
   all.add<FramesRenderer>(line("frames", kBasePose, kSelf, "axes of all bodies: x red, y green, z blue"));
   all.add<TrajectoryRenderer>(line("trajectory", kBasePose, kSelf, "way of the base, last 10 s that were shown"));
-  all.add<CentreOfMassRenderer>(line("centre of mass", kBodyInertia, kBodies, "of the bodies, and of all on the ground"));
+  all.add<CentreOfMassRenderer>(
+      line("centre of mass", kBodyInertia, kBodies, "of the bodies, and of all on the ground"));
   all.add<InertiaRenderer>(line("inertia", kBodyInertia, kBodies, "homogeneous boxes of equal mass and inertia"));
   all.add<PairForceRenderer>(line("pair force", kPairForce, kBodies, "of robots, balls, posts and people; 1 m: 100 N"));
-  addReader<SolePressureRenderer>(all, "sole pressure", kSolePressure, subset::kSoles, "on the soles' corners; 1 m: 100 N");
-  all.add<SupportPolygonRenderer>(line("support polygon", murosimf::kSoles, kSelf, "about the soles' corners on the ground"));
+  addReader<SolePressureRenderer>(all, "sole pressure", kSolePressure, subset::kSoles,
+                                  "on the soles' corners; 1 m: 100 N");
+  all.add<SupportPolygonRenderer>(
+      line("support polygon", murosimf::kSoles, kSelf, "about the soles' corners on the ground"));
   addReader<IntegrationErrorRenderer>(all, "integration error", kIntegrationError, kSelf, "where steps are chosen");
   all.add<CameraRenderer>(line("camera", kCameraModel, kSelf, "edges of its picture"));
   return all;

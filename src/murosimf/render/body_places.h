@@ -16,8 +16,8 @@ class BodyPlaces {
   Pose pose(int row, long frame) const;
 
  private:
-  BodyPath path_;       // of a robot
-  Handle<Pose> base_;   // of a free body
+  BodyPath path_;      // of a robot
+  Handle<Pose> base_;  // of a free body
   Pose fixed_;
   int rows_ = 1;
 };

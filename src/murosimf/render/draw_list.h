@@ -74,8 +74,8 @@ class DrawList {
   /// By mesh number. Those that cover all, and those that let see through.
   const std::vector<std::vector<MeshInstance>>& solid() const { return solid_; }
   const std::vector<std::vector<MeshInstance>>& clearTinted() const { return clear_tinted_; }
-  const std::vector<LineVertex>& lines() const { return lines_; }        ///< two vertices each
-  const std::vector<LineVertex>& painted() const { return painted_; }    ///< three vertices each
+  const std::vector<LineVertex>& lines() const { return lines_; }      ///< two vertices each
+  const std::vector<LineVertex>& painted() const { return painted_; }  ///< three vertices each
   const std::vector<TextMark>& texts() const { return texts_; }
 
  private:

@@ -61,8 +61,7 @@ PrincipalMass principalMass(const RigidInertia<double>& inertia) {
   return result;
 }
 
-CentreOfMassRenderer::CentreOfMassRenderer(const RenderedObject& object)
-    : places_(object), bodies_(massesOf(object)) {}
+CentreOfMassRenderer::CentreOfMassRenderer(const RenderedObject& object) : places_(object), bodies_(massesOf(object)) {}
 
 void CentreOfMassRenderer::draw(const RenderMoment& now, DrawList& list) {
   double mass = 0;

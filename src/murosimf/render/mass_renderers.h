@@ -11,8 +11,8 @@ namespace murosimf {
 /// A body's mass, with the axes in which its inertia is diagonal.
 struct PrincipalMass {
   double mass = 0;
-  Pose X_BC;             ///< centre of mass, principal axes
-  Vector3 half_edges;    ///< of the homogeneous box of this mass and inertia [m]
+  Pose X_BC;           ///< centre of mass, principal axes
+  Vector3 half_edges;  ///< of the homogeneous box of this mass and inertia [m]
 };
 
 /// From the ten numbers of a body, by Jacobi's rotations [Golub & Van Loan 2013, 8.5].

@@ -43,8 +43,8 @@ std::uint32_t addRing(Mesh& mesh, double radius, double z, double normal_out, do
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   for (int i = 0; i <= slices; ++i) {
     const SinCos<double> a = turn(i, slices);
-    mesh.vertices.push_back({toPoint({radius * a.cos, radius * a.sin, z}),
-                             toPoint({normal_out * a.cos, normal_out * a.sin, normal_up})});
+    mesh.vertices.push_back(
+        {toPoint({radius * a.cos, radius * a.sin, z}), toPoint({normal_out * a.cos, normal_out * a.sin, normal_up})});
   }
   return first;
 }

@@ -8,11 +8,11 @@ namespace murosimf {
 
 namespace {
 
-constexpr double kAxisLength = 0.06;   // [m]
-constexpr double kRemembered = 10;     // of a trajectory [s]
-constexpr double kAboveBase = 0.3;     // of a name [m]
-constexpr double kSightLength = 0.4;   // of a camera's picture [m]
-constexpr double kTeleport = 0.2;      // a base does not move this far between two pictures [m]
+constexpr double kAxisLength = 0.06;  // [m]
+constexpr double kRemembered = 10;    // of a trajectory [s]
+constexpr double kAboveBase = 0.3;    // of a name [m]
+constexpr double kSightLength = 0.4;  // of a camera's picture [m]
+constexpr double kTeleport = 0.2;     // a base does not move this far between two pictures [m]
 
 /// The robot that carries a camera; the object itself for all else.
 RenderedObject carrierOf(const RenderedObject& object) {

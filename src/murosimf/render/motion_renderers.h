@@ -37,8 +37,7 @@ class TrajectoryRenderer final : public PropertyRenderer {
 /// The object's path over its base.
 class NameRenderer final : public PropertyRenderer {
  public:
-  explicit NameRenderer(const RenderedObject& object)
-      : places_(object), name_(object.world.path(object.object)) {}
+  explicit NameRenderer(const RenderedObject& object) : places_(object), name_(object.world.path(object.object)) {}
   void draw(const RenderMoment& now, DrawList& list) override;
 
  private:

@@ -8,8 +8,8 @@
 namespace murosimf {
 
 namespace {
-constexpr double kLowest = 0.03;                       // [m]
-constexpr double kNearest = 0.15, kFarthest = 60;      // [m]
+constexpr double kLowest = 0.03;                      // [m]
+constexpr double kNearest = 0.15, kFarthest = 60;     // [m]
 constexpr double kSteepest = 1.55, kFlattest = -0.3;  // [rad]
 }  // namespace
 

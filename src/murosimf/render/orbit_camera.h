@@ -10,7 +10,7 @@ namespace murosimf {
 class OrbitCamera {
  public:
   Vector3 target_W{0, 0, 0.2};
-  double distance = 6;    ///< from there [m]
+  double distance = 6;     ///< from there [m]
   double azimuth = -1.57;  ///< of the camera, seen from the target, about z from x [rad]
   double elevation = 0.6;  ///< above the horizon [rad]
   double angle = 0.9;      ///< between left and right edge [rad]

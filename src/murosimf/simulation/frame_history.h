@@ -17,7 +17,7 @@
 namespace murosimf {
 
 struct FrameHistorySettings {
-  double interval = 0.1;                      ///< between checkpoints [s], > 0
+  double interval = 0.1;                             ///< between checkpoints [s], > 0
   std::size_t most_bytes = std::size_t{512} << 20U;  ///< of all checkpoints
 };
 

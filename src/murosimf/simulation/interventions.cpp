@@ -49,8 +49,7 @@ void InterventionQueue::check(const Intervention& i) const {
                      : i.kind == Intervention::Kind::kPush    ? free || robot
                                                               : robot;
   if (!known) throw std::invalid_argument("an intervention on an object that is no robot or free body");
-  const int rows =
-      free ? 1 : static_cast<int>(world_.members(i.object, subset::kBodies).size());
+  const int rows = free ? 1 : static_cast<int>(world_.members(i.object, subset::kBodies).size());
   if (i.kind == Intervention::Kind::kPush) {
     if (i.level >= 0 && i.level < rows) return;
     throw std::invalid_argument(

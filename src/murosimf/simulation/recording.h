@@ -10,9 +10,10 @@
 ///              then records until the file ends
 ///     frame    u8 'F'   u64 frame (one more than the last)   u32 changed columns: u32 column,
 ///              a bit for every number of the column (member by member, lowest bit first), f64 for every bit set
-///     place    u8 'I'   u64 frame in which it acted   u8 kind   text object   8 f64: x y heading height v_x v_y v_z level
+///     place    u8 'I'   u64 frame in which it acted   u8 kind   text object   8 f64: x y heading height v_x v_y v_z n
 ///     end      u8 'E'   u64 frames recorded
 ///
+/// n: level of detail (an exchange) or row of the body (a push; v is the force then).
 /// Numbers count as +0 before the first frame. Interventions stand before the frame that they acted in.
 
 #include <cstdint>

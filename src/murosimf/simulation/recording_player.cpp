@@ -14,8 +14,10 @@ RecordingPlayer::RecordingPlayer(const std::filesystem::path& file, Simulation& 
   read(std::max(1L, stride));
   LinkedWorld& linked = simulation.linked();
   for (const ObjectId id : simulation.participants().robots) {
-    Robot robot{linked.handle(id, kBasePose), linked.handle(id, kBodyPose, subset::kBodies),
-                linked.handle(id, kBodyPoseLast, subset::kBodies), linked.handle(id, kJointPosition, subset::kJoints),
+    Robot robot{linked.handle(id, kBasePose),
+                linked.handle(id, kBodyPose, subset::kBodies),
+                linked.handle(id, kBodyPoseLast, subset::kBodies),
+                linked.handle(id, kJointPosition, subset::kJoints),
                 {}};
     if (const TreeTable* tree = simulation.world().findShared(id, kTree)) robot.rows = kernelRows(*tree);
     if (robot.body.valid()) robots_.push_back(std::move(robot));
@@ -72,9 +74,9 @@ void RecordingPlayer::placeBodies(Robot& robot) {
   std::vector<Pose> X_WB(robot.rows.size());
   for (std::size_t row = 0; row < robot.rows.size(); ++row) {
     const KernelRow& r = robot.rows[row];
-    X_WB[row] = r.parent < 0 ? robot.base.get()
-                             : childPose(X_WB[static_cast<std::size_t>(r.parent)], r,
-                                         robot.q.get(static_cast<int>(row) - 1));
+    X_WB[row] = r.parent < 0
+                    ? robot.base.get()
+                    : childPose(X_WB[static_cast<std::size_t>(r.parent)], r, robot.q.get(static_cast<int>(row) - 1));
     robot.body.set(X_WB[row], static_cast<int>(row));
     robot.body_last.set(X_WB[row], static_cast<int>(row));
   }

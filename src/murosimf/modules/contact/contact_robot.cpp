@@ -304,8 +304,8 @@ void ContactRobot::push(int row, const Vector3& p_W, const Vector3& force_W) {
   if (!recoils()) return;
   const Pose X_WB = path_.pose(row, begin_);
   SpatialForce<double> force = pair_force_.get(row);
-  force += {applyTransposed(X_WB.rotation, cross(p_W - X_WB.translation, force_W)),
-            applyTransposed(X_WB.rotation, force_W)};
+  force +=
+      {applyTransposed(X_WB.rotation, cross(p_W - X_WB.translation, force_W)), applyTransposed(X_WB.rotation, force_W)};
   pair_force_.set(force, row);
   pushed_.push_back(row);
   pair_touch_.set(1);

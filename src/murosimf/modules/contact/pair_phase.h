@@ -43,8 +43,8 @@ class PairPhase {
   void advance(long frame, double dt);
   /// Puts a free body somewhere, not turning.
   void placeBody(ObjectId body, const Pose& X_WB, const Vector3& velocity);
-  /// Pushes a free body, or a robot's body on a row, over the next frame, with a force at a place in W. Whoever does not
-  /// recoil does not feel it. At most kMostPushes a frame; further ones are left out.
+  /// Pushes a free body, or a robot's body on a row, over the next frame, with a force at a place in W. Whoever does
+  /// not recoil does not feel it. At most kMostPushes a frame; further ones are left out.
   static constexpr std::size_t kMostPushes = 64;
   void push(ObjectId object, int row, const Vector3& p_W, const Vector3& force_W);
   /// A free body and what it touched: a robot, something fixed, or (invalid) the ground.

@@ -26,15 +26,15 @@ class GlObject {
   GLuint name_ = 0;
 };
 
-#define MUROSIMF_GL_KIND(Name, generate, remove)        \
-  struct Name##Kind {                                   \
-    static GLuint create() {                            \
-      GLuint name = 0;                                  \
-      generate(1, &name);                               \
-      return name;                                      \
-    }                                                   \
+#define MUROSIMF_GL_KIND(Name, generate, remove)           \
+  struct Name##Kind {                                      \
+    static GLuint create() {                               \
+      GLuint name = 0;                                     \
+      generate(1, &name);                                  \
+      return name;                                         \
+    }                                                      \
     static void destroy(GLuint name) { remove(1, &name); } \
-  };                                                    \
+  };                                                       \
   using Name = GlObject<Name##Kind>
 
 MUROSIMF_GL_KIND(GlBuffer, glGenBuffers, glDeleteBuffers);

@@ -24,8 +24,7 @@ GLuint compile(GLenum kind, const char* source) {
 }  // namespace
 
 GlProgram::GlProgram(const char* vertex_shader, const char* fragment_shader) : name_(glCreateProgram()) {
-  for (const GLuint shader :
-       {compile(GL_VERTEX_SHADER, vertex_shader), compile(GL_FRAGMENT_SHADER, fragment_shader)}) {
+  for (const GLuint shader : {compile(GL_VERTEX_SHADER, vertex_shader), compile(GL_FRAGMENT_SHADER, fragment_shader)}) {
     glAttachShader(name_, shader);
     glDeleteShader(shader);  // with the program
   }

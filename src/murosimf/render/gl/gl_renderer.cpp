@@ -69,7 +69,8 @@ void fill(GLenum kind, const GlBuffer& buffer, const std::vector<T>& values, GLe
 GlMatrix clipFromWorld(const GlView& view) {
   const CameraModel& c = view.camera;
   const double w = c.width, h = c.height, n = view.near, f = view.far;
-  // x_clip / z = 2 (u + 1/2) / w - 1 with u = fx x/z + fx skew y/z + cx; rows grow downwards in pictures, not in OpenGL.
+  // x_clip / z = 2 (u + 1/2) / w - 1 with u = fx x/z + fx skew y/z + cx; rows grow downwards in pictures, not in
+  // OpenGL.
   return seenFrom(view.X_WC, {{{2 * c.fx / w, 2 * c.fx * c.skew / w, (2 * c.cx + 1) / w - 1, 0},
                                {0, -2 * c.fy / h, 1 - (2 * c.cy + 1) / h, 0},
                                {0, 0, (f + n) / (f - n), -2 * f * n / (f - n)},
@@ -83,8 +84,8 @@ GlRenderer::GlRenderer()
       label_flat_(kFlatVertexShader, kLabelFragmentShader),
       depth_meshes_(kMeshVertexShader, kEmptyFragmentShader) {
   glBindTexture(GL_TEXTURE_2D, shadow_map_.name());
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, kShadowSize, kShadowSize, 0, GL_DEPTH_COMPONENT,
-               GL_UNSIGNED_INT, nullptr);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, kShadowSize, kShadowSize, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT,
+               nullptr);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Draws lists through OpenGL 3.3: instanced meshes, paint on the ground, lines; one lamp, with shadows if wanted.
+/// @file Draws lists through OpenGL 3.3: instanced meshes, paint on the ground, lines; one lamp, shadows if wanted.
 ///
 /// Cost: one call a mesh, whatever the number of its instances; shadows draw all of them twice.
 
@@ -28,8 +28,8 @@ struct GlLight {
   float ambient = 0.55F;
   Colour sky{0.62F, 0.68F, 0.74F};
   bool shadows = false;
-  Vector3 shadow_centre_W;      ///< middle of the region with shadows
-  double shadow_reach = 4;      ///< half its size [m]
+  Vector3 shadow_centre_W;  ///< middle of the region with shadows
+  double shadow_reach = 4;  ///< half its size [m]
 };
 
 /// The matrix from W to clip space: pixel centres at integers, as cameras have them.
