@@ -40,7 +40,7 @@ bench: deps  ## measure against MuJoCo, ODE and ourselves; the table goes to out
 	@cmake --build --preset release --parallel $(JOBS) --target murosimf-bench
 	@$(BUILD)/murosimf-bench
 
-check-all: deps  ## everything before a release: both compilers, sanitizers, clang-tidy, slow tests
+check-all: deps-view  ## everything before a release: both compilers, sanitizers, clang-tidy, slow tests
 	@tools/install_packages.sh build bench check
 	@tools/check_all.sh
 

@@ -8,13 +8,13 @@
 
 namespace murosimf {
 
-/// `Kind` has create() -> GLuint and destroy(GLuint).
+/// `Kind` has create(GLuint*) and destroy(const GLuint*).
 template <class Kind>
 class GlObject {
  public:
-  GlObject() : name_(Kind::create()) {}
+  GlObject() { Kind::create(&name_); }
   ~GlObject() {
-    if (name_ != 0) Kind::destroy(name_);
+    if (name_ != 0) Kind::destroy(&name_);
   }
   GlObject(GlObject&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
   GlObject& operator=(GlObject&& other) noexcept { return std::swap(name_, other.name_), *this; }
@@ -26,22 +26,31 @@ class GlObject {
   GLuint name_ = 0;
 };
 
-#define MUROSIMF_GL_KIND(Name, generate, remove)           \
-  struct Name##Kind {                                      \
-    static GLuint create() {                               \
-      GLuint name = 0;                                     \
-      generate(1, &name);                                  \
-      return name;                                         \
-    }                                                      \
-    static void destroy(GLuint name) { remove(1, &name); } \
-  };                                                       \
-  using Name = GlObject<Name##Kind>
+struct GlBufferKind {
+  static void create(GLuint* name) { glGenBuffers(1, name); }
+  static void destroy(const GLuint* name) { glDeleteBuffers(1, name); }
+};
+struct GlVertexArrayKind {
+  static void create(GLuint* name) { glGenVertexArrays(1, name); }
+  static void destroy(const GLuint* name) { glDeleteVertexArrays(1, name); }
+};
+struct GlTextureKind {
+  static void create(GLuint* name) { glGenTextures(1, name); }
+  static void destroy(const GLuint* name) { glDeleteTextures(1, name); }
+};
+struct GlFramebufferKind {
+  static void create(GLuint* name) { glGenFramebuffers(1, name); }
+  static void destroy(const GLuint* name) { glDeleteFramebuffers(1, name); }
+};
+struct GlRenderbufferKind {
+  static void create(GLuint* name) { glGenRenderbuffers(1, name); }
+  static void destroy(const GLuint* name) { glDeleteRenderbuffers(1, name); }
+};
 
-MUROSIMF_GL_KIND(GlBuffer, glGenBuffers, glDeleteBuffers);
-MUROSIMF_GL_KIND(GlVertexArray, glGenVertexArrays, glDeleteVertexArrays);
-MUROSIMF_GL_KIND(GlTexture, glGenTextures, glDeleteTextures);
-MUROSIMF_GL_KIND(GlFramebuffer, glGenFramebuffers, glDeleteFramebuffers);
-MUROSIMF_GL_KIND(GlRenderbuffer, glGenRenderbuffers, glDeleteRenderbuffers);
-#undef MUROSIMF_GL_KIND
+using GlBuffer = GlObject<GlBufferKind>;
+using GlVertexArray = GlObject<GlVertexArrayKind>;
+using GlTexture = GlObject<GlTextureKind>;
+using GlFramebuffer = GlObject<GlFramebufferKind>;
+using GlRenderbuffer = GlObject<GlRenderbufferKind>;
 
 }  // namespace murosimf
