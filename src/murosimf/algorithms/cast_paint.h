@@ -38,9 +38,16 @@ inline S share(const FormInTile& form, const FormInTile& ground, S x, S y, S w, 
   return share(s, S(form.u) - metres * S(ground.u), S(form.v) - metres * S(ground.v), S(half_size) * w);
 }
 
-/// Adds a strip's share to a plane of the buffer.
+/// True where no lane has a share: all lie farther from the middle than half the size and half a footprint.
 template <class S>
-inline void addStrip(const Tile& tile, const CastGround& g, int strip, bool sides, bool ends, float* plane) {
+inline bool isBeside(S s, float half_size, float reach, S w) {
+  return laneBits(abs(s) <= S(half_size + reach) * w) == 0;
+}
+
+/// Adds a strip's share to a plane of the buffer. reach: that of the tile's patch.
+template <class S>
+inline void addStrip(const Tile& tile, const CastGround& g, int strip, bool sides, bool ends, float reach,
+                     float* plane) {
   const FormInTile ground = inTile(g.w, tile.rays);
   const FormInTile across = inTile({g.across_x[strip], g.across_y[strip], g.across_one[strip]}, tile.rays);
   const FormInTile along = inTile({g.along_x[strip], g.along_y[strip], g.along_one[strip]}, tile.rays);
@@ -48,6 +55,8 @@ inline void addStrip(const Tile& tile, const CastGround& g, int strip, bool side
     const auto painted = load<S>(tile.buffer.label + i) == S(kGround);
     if (laneBits(painted) == 0) return;
     const S x = load<S>(tile.x + i), y = load<S>(tile.y + i), w = load<S>(tile.buffer.w + i);
+    if (sides && isBeside(evaluate(across.form, x, y), g.half_width[strip], reach, w)) return;
+    if (ends && isBeside(evaluate(along.form, x, y), g.half_length[strip], reach, w)) return;
     S cover(1.0F);
     if (sides) cover = share(across, ground, x, y, w, g.half_width[strip]);
     if (ends) cover = cover * share(along, ground, x, y, w, g.half_length[strip]);
@@ -57,14 +66,16 @@ inline void addStrip(const Tile& tile, const CastGround& g, int strip, bool side
 }
 
 template <class S>
-inline void addRing(const Tile& tile, const CastGround& g, const CastRing& ring) {
+inline void addRing(const Tile& tile, const CastGround& g, const CastRing& ring, float reach) {
   const FormInTile ground = inTile(g.w, tile.rays), rx = inTile(ring.x, tile.rays), ry = inTile(ring.y, tile.rays);
   forPacks<S>(tile, [&](int i) {
     const auto painted = load<S>(tile.buffer.label + i) == S(kGround);
     if (laneBits(painted) == 0) return;
     const S x = load<S>(tile.x + i), y = load<S>(tile.y + i), w = load<S>(tile.buffer.w + i);
-    const S px = evaluate(ring.x, x, y), py = evaluate(ring.y, x, y), z = S(1.0F) / w;
-    const S radius = max(sqrt(px * px + py * py), S(1e-12F)), inverse = S(1.0F) / radius;
+    const S px = evaluate(ring.x, x, y), py = evaluate(ring.y, x, y);
+    const S radius = max(sqrt(px * px + py * py), S(1e-12F));
+    if (isBeside(radius - S(ring.radius) * w, ring.half_width, reach, w)) return;
+    const S z = S(1.0F) / w, inverse = S(1.0F) / radius;
     const S mx = px * inverse, my = py * inverse;
     const S s_u = mx * (S(rx.u) - px * z * S(ground.u)) + my * (S(ry.u) - py * z * S(ground.u));
     const S s_v = mx * (S(rx.v) - px * z * S(ground.v)) + my * (S(ry.v) - py * z * S(ground.v));
@@ -94,13 +105,14 @@ inline bool addPaint(const Tile& tile, const GroundPatch& patch) {
       const int lane = __builtin_ctz(left);
       if (first + lane == 0) continue;  // the carpet
       prepare();
-      addStrip<S>(tile, g, first + lane, strips.sides >> lane & 1U, strips.ends >> lane & 1U, tile.buffer.paint);
+      addStrip<S>(tile, g, first + lane, strips.sides >> lane & 1U, strips.ends >> lane & 1U, patch.reach,
+                  tile.buffer.paint);
     }
   }
   for (int k = 0; k < g.ring_count; ++k) {
     if (misses(g.rings[k], patch)) continue;
     prepare();
-    addRing<S>(tile, g, g.rings[k]);
+    addRing<S>(tile, g, g.rings[k], patch.reach);
   }
   return painted;
 }

@@ -27,7 +27,7 @@ inline void castSample(const Tile& tile, const GroundPatch& patch) {
   const bool painted = patch.corners > 0 && addPaint<S>(tile, patch);
   if (painted || carpet_ends) {
     fillPlane<S>(tile, tile.buffer.carpet, some_carpet && !carpet_ends ? 1.0F : 0.0F);
-    if (carpet_ends) addStrip<S>(tile, g, 0, carpet.sides & 1U, carpet.ends & 1U, tile.buffer.carpet);
+    if (carpet_ends) addStrip<S>(tile, g, 0, carpet.sides & 1U, carpet.ends & 1U, patch.reach, tile.buffer.carpet);
     if (!painted) fillPlane<S>(tile, tile.buffer.paint, 0.0F);
     mixPaint<S>(tile, g);
   }
