@@ -1,6 +1,7 @@
 #include "game/game.h"
 
 #include "murosimf/modules/all_modules.h"
+#include "murosimf/scene/field_texture.h"
 #include "murosimf/soccer/field.h"
 #include "player/player.h"
 #include "trotter/trotter.h"
@@ -17,6 +18,8 @@ std::unique_ptr<Simulation> buildGame(const Scene& scene, Diagnostics& diagnosti
   FieldLook look;
   look.brightness = *scene.field.brightness;
   look.carpet = *scene.field.carpet;
+  look.texture = readFieldTexture(scene.field, diagnostics);
+  look.texture_size = *scene.field.texture_size;
   look.goal_at_plus_x = *scene.field.goal_at_plus_x;
   look.goal_at_minus_x = *scene.field.goal_at_minus_x;
   builder.addFixed(addField(builder.world(), fieldDescription(scene), look));

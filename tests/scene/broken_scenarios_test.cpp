@@ -48,7 +48,7 @@ const std::map<std::string, std::vector<std::string>> kExpected = {
       "8:14: error: goal_width is 3.5 m, expected at most 3 m, as width is 3 m"}},
     {"syntax_error", {"2:12: error: this is not TOML: "}},
     {"unknown_key",
-     {"3:1: error: unknown key \"brightnes\" in field, expected one of its 19 keys (did you mean \"brightness\"?)",
+     {"3:1: error: unknown key \"brightnes\" in field, expected one of its 21 keys (did you mean \"brightness\"?)",
       "5:2: error: unknown key \"balls\", expected \"simulation\", \"field\", \"ball\", \"surfaces\", \"contacts\", "
       "\"teams\", "
       "\"robots\", \"referee\" or \"output\" (did you mean \"ball\"?)",

@@ -54,9 +54,13 @@ TEST(BuilderErrors, UnknownCameraAndModuleAndParameters) {
                 "10:18: robots.red.1: unknown camera module "
                 "\"ray_castor\"; expected none or ray_caster (did you mean \"ray_caster\"?)",
                 "11:18: noise is 0.6, expected a number from 0 to 0.5",
-                "11:23: module ray_caster has no parameter \"gian\"; it knows noise, gain, antialias, lens, "
-                "extrapolate, chain, format, rolling_shutter_readout, motion_blur_exposure, ",
+                "11:23: module ray_caster has no parameter \"gian\"; it knows noise, gain, antialias, shadows, "
+                "lens, extrapolate, chain, format, rolling_shutter_readout, motion_blur_exposure, ",
                 "11:42: gain is 0, expected a number from 0.01 to 100", "11:57: antialias is neither true nor false"});
+}
+
+TEST(BuilderErrors, ShadowsOfACameraAreASwitch) {
+  expectStarts(saidOf("[robots.red.1.cameras]\nhead = {shadows = 1}"), {"9:19: shadows is neither true nor false"});
 }
 
 TEST(BuilderErrors, CameraFasterThanItsControlSoftware) {

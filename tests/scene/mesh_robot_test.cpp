@@ -87,6 +87,21 @@ TEST(MeshRobots, AreDrawnAsTheirTrianglesWhichRobotsOfOneFileShare) {
   EXPECT_EQ(drawn[1].mesh, nullptr);
 }
 
+TEST(SceneView, SaysWhatALabelStandsFor) {
+  const Tumblers one("[referee]\nenabled = false\n", tumbler(1, "full"));
+  const SceneView& view = one.simulation->view();
+  const SeenClass& robot = view.classOf(view.labelOf(one.robot(1)));
+  EXPECT_EQ(robot.kind, SeenKind::kRobot);
+  EXPECT_EQ(robot.path, "robots.red.1");
+  const SeenClass& ball = view.classOf(view.labelOf(one.simulation->world().find("ball")));
+  EXPECT_EQ(ball.kind, SeenKind::kFreeBody);
+  EXPECT_EQ(ball.path, "ball");
+  EXPECT_EQ(view.classOf(kGroundLabel).kind, SeenKind::kTurf);
+  EXPECT_EQ(view.classOf(kLineLabel).kind, SeenKind::kLine);
+  EXPECT_EQ(view.classOf(kSkyLabel).kind, SeenKind::kSky);
+  EXPECT_THROW(view.classOf(1000), std::out_of_range);
+}
+
 /// A cube of 0.1 m and 1 kg, as a file.
 struct BlockFile {
   std::string path;

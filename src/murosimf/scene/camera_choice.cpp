@@ -60,8 +60,10 @@ CameraChoice cameraChoice(const RobotSettings& robot, const CameraMount& mount, 
         readNumber(parameter, 0.01, 100, result.settings.gain, diagnostics);
       } else if (parameter.name == "antialias") {
         readSwitch(parameter, result.settings.antialias, diagnostics);
+      } else if (parameter.name == "shadows") {
+        readSwitch(parameter, result.settings.shadows, diagnostics);
       } else if (parameter.name != "lens" && parameter.name != "extrapolate") {  // these are read by LensBuilder
-        std::vector<std::string> known{"noise", "gain", "antialias", "lens", "extrapolate"};
+        std::vector<std::string> known{"noise", "gain", "antialias", "shadows", "lens", "extrapolate"};
         for (std::string& name : PictureChainReader::knownParameters()) known.push_back(std::move(name));
         diagnostics.error(parameter.name_where,
                           fmt::format("module ray_caster has no parameter \"{}\"; it knows {}{}", parameter.name,

@@ -71,6 +71,8 @@ FieldSettings readField(const TextNode* table, Diagnostics& diagnostics) {
   for (const Measure& m : kMeasures) reader.read(m.key, field.*m.member);
   reader.read("brightness", field.brightness);
   reader.read("carpet", field.carpet);
+  reader.read("texture", field.texture);
+  reader.read("texture_size", field.texture_size);
   reader.read("goal_at_plus_x", field.goal_at_plus_x);
   reader.read("goal_at_minus_x", field.goal_at_minus_x);
   checkMeasures(field, diagnostics);

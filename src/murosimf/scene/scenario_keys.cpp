@@ -75,6 +75,9 @@ constexpr ScenarioKey kKeys[] = {
     from("field", "pole_height", "m", 0, 5, "", "default: the preset's"),
     from("field", "brightness", "1", .05, 5, "1.0", "factor on all light"),
     plainKey("field", "carpet", kColour, "[0.09, 0.38, 0.14]", "colour of the turf"),
+    plainKey("field", "texture", kText, "\"\"", "PNG picture on the turf in the place of its colour, top towards +y"),
+    from("field", "texture_size", "m", 0, 200, "0.0",
+         "edge of the square that it covers again and again; 0: all, once"),
     wordKey("field", "goal_at_plus_x", "yellow blue white", "", "colour; default: the preset's"),
     wordKey("field", "goal_at_minus_x", "yellow blue white", "", "colour; default: the preset's"),
 

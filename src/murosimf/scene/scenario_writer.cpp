@@ -95,6 +95,7 @@ void writeField(ScenarioWriter& out, const FieldSettings& f) {
   out.value("pole_height", f.pole_height);
   out.value("brightness", f.brightness);
   out.value("carpet", f.carpet);
+  if (!f.texture->empty()) out.value("texture", f.texture), out.value("texture_size", f.texture_size);
   out.value("goal_at_plus_x", f.goal_at_plus_x);
   out.value("goal_at_minus_x", f.goal_at_minus_x);
 }

@@ -52,6 +52,8 @@ struct FieldSettings {
   Located<double> pole_radius, pole_height;
   Located<double> brightness{1.0, {}};  ///< factor on all light
   Located<Colour> carpet;
+  Located<std::string> texture;           ///< picture laid on the carpet: a PNG file; empty: none
+  Located<double> texture_size{0.0, {}};  ///< edge of the square that it covers again and again [m]; 0: once
   Located<std::string> goal_at_plus_x, goal_at_minus_x;  ///< "yellow", "blue" or "white"
 };
 

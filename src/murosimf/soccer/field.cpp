@@ -45,6 +45,7 @@ PaintedGround groundOf(const client::FieldDescription& f, const FieldLook& look)
   ground.half_length = f.length / 2 + f.border;
   ground.half_width = f.width / 2 + f.border;
   ground.carpet = look.carpet;
+  ground.texture = look.texture, ground.texture_size = look.texture_size;
   ground.brightness = static_cast<float>(look.brightness);
   const double x = f.length / 2, y = f.width / 2;
   addRectangle(ground, -x, -y, x, y, f.line_width);

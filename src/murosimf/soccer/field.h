@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/algorithms/shape.h"
+#include "murosimf/algorithms/ray_scene.h"
 #include "murosimf/control/client/robot_description.h"
 #include "murosimf/world/world.h"
 
@@ -17,6 +17,8 @@ namespace murosimf {
 struct FieldLook {
   double brightness = 1;  ///< of the light on the ground
   Colour carpet{0.13F, 0.47F, 0.19F};
+  std::shared_ptr<const GroundTexture> texture{};                   ///< in the place of the carpet's colour
+  double texture_size = 0;                                          ///< [m], as PaintedGround has it
   std::string goal_at_plus_x = "yellow", goal_at_minus_x = "blue";  ///< or "white"
 };
 

@@ -81,6 +81,7 @@ std::span<const std::uint8_t> RobotCamera::bytes() const {
 void RobotCamera::cast(const RayScene& scene, const MovingCamera& place, std::uint64_t key) {
   CastOptions options;
   options.antialias = settings_.antialias;
+  options.shadows = settings_.shadows;
   if (gathers_light_) {
     castThroughShutter(*rays_, scene, place, hidden_, options, settings_.shutter, work_, picture_, light_);
     return;

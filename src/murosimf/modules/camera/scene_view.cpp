@@ -39,19 +39,20 @@ SceneView::SceneView(const World& world, LinkedWorld& linked, const std::vector<
     bodies_.push_back(linked.handle(id, kBasePose));
     velocities_.push_back(linked.handle(id, kBodyVelocity));
     rates_.push_back(linked.handle(id, kBodyRate));
-    addShapes(world, id, Pose{}, source);
+    addShapes(world, id, Pose{}, SeenKind::kFreeBody, source);
   }
   for (const ObjectId id : robots) {
     Source source;
     source.robot = static_cast<int>(paths_.size());
     paths_.emplace_back(linked, id);
-    addShapes(world, id, Pose{}, source);
+    addShapes(world, id, Pose{}, SeenKind::kRobot, source);
   }
-  for (const ObjectId id : fixed) addShapes(world, id, *world.find(id, kFixedPose), Source{});
+  for (const ObjectId id : fixed) addShapes(world, id, *world.find(id, kFixedPose), SeenKind::kFixed, Source{});
 }
 
-void SceneView::addShapes(const World& world, ObjectId object, const Pose& X_WB, Source source) {
+void SceneView::addShapes(const World& world, ObjectId object, const Pose& X_WB, SeenKind kind, Source source) {
   labelled_.push_back(object);
+  classes_.push_back({kind, world.path(object)});
   const auto label = static_cast<std::uint16_t>(labelled_.size());
   for (const PlacedShape& s : *world.findShared(object, kShapes)) {
     if (!s.drawn) continue;
@@ -116,6 +117,12 @@ SpatialMotion<double> SceneView::motionOf(const BodyPath& path, int row, long fr
 std::uint16_t SceneView::labelOf(ObjectId object) const {
   const auto found = std::find(labelled_.begin(), labelled_.end(), object);
   return found == labelled_.end() ? std::uint16_t{0} : static_cast<std::uint16_t>(found - labelled_.begin() + 1);
+}
+
+const SeenClass& SceneView::classOf(std::uint16_t label) const {
+  static const SeenClass kSky{SeenKind::kSky, ""}, kLine{SeenKind::kLine, ""};
+  if (label == kSkyLabel) return kSky;
+  return label == kLineLabel ? kLine : classes_.at(label);
 }
 
 std::uint32_t SceneView::ownerOf(ObjectId object, int row) const {

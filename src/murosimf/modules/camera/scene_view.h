@@ -8,6 +8,7 @@
 
 #include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "murosimf/algorithms/collision/convex_hull.h"
@@ -16,6 +17,13 @@
 #include "murosimf/linking/outside_access.h"
 
 namespace murosimf {
+
+/// What a label stands for.
+enum class SeenKind : std::uint8_t { kTurf, kLine, kSky, kFreeBody, kRobot, kFixed };
+struct SeenClass {
+  SeenKind kind = SeenKind::kTurf;
+  std::string path{};  ///< of the object: "ball", "robots.red.1", "goal..."; empty for ground, lines and sky
+};
 
 class SceneView {
  public:
@@ -36,6 +44,8 @@ class SceneView {
   /// All that is drawn, in the order of their labels.
   const std::vector<ObjectId>& labelled() const { return labelled_; }
   std::uint32_t ownerOf(ObjectId object, int row) const;
+  /// What pixels of this label show.
+  const SeenClass& classOf(std::uint16_t label) const;
   /// X_WB of a body at the end of a frame, and its twist (w; v) over the frame: world axes, of its origin.
   Pose bodyPose(ObjectId robot, int row, long frame) const;
   SpatialMotion<double> bodyMotion(ObjectId robot, int row, long frame) const;
@@ -48,10 +58,11 @@ class SceneView {
   const BodyPath& pathOf(ObjectId robot) const;
   SpatialMotion<double> motionOf(const BodyPath& path, int row, long frame) const;
   SpatialMotion<double> motionOf(const Source& source, const Pose& X_WS, long frame) const;
-  void addShapes(const World& world, ObjectId object, const Pose& X_WB, Source source);
+  void addShapes(const World& world, ObjectId object, const Pose& X_WB, SeenKind kind, Source source);
 
   RayScene initial_;
-  std::vector<Source> sources_;  // one per drawable
+  std::vector<Source> sources_;                            // one per drawable
+  std::vector<SeenClass> classes_{{SeenKind::kTurf, ""}};  // by label
   std::map<const ConvexHull*, std::shared_ptr<const TriangleMesh>> meshes_of_hulls_;
   std::vector<ObjectId> robots_, labelled_;
   std::vector<BodyPath> paths_;
