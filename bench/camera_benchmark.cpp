@@ -4,6 +4,7 @@
 
 #include "algorithms/camera_scene.h"
 #include "algorithms/mesh_shapes.h"
+#include "murosimf/algorithms/pixel_motion.h"
 #include "paired_ratio.h"
 
 namespace murosimf {
@@ -64,6 +65,8 @@ BENCHMARK_CAPTURE(variant, ground_shadows, [](Setup& s) {
   s.scene.ground_shadows = true;
 })->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(variant, shadows, [](Setup& s) { s.options.shadows = true; })->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(variant, boxes, [](Setup& s) { s.picture.has_boxes = true; })->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(variant, parts, [](Setup& s) { s.picture.has_part = true; })->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(variant, texture, [](Setup& s) {
   std::vector<std::uint8_t> grass(3UL * 512 * 512);
   for (std::size_t i = 0; i < grass.size(); ++i) grass[i] = static_cast<std::uint8_t>(i * 2654435761U >> 24);
@@ -104,6 +107,17 @@ void distortedOverStraight(benchmark::State& state) {
   state.counters["ratio"] = with / without;
 }
 BENCHMARK(distortedOverStraight)->Arg(160)->Arg(320)->Arg(640)->Unit(benchmark::kMillisecond);
+
+/// Motion of every pixel, after the picture.
+void motion(benchmark::State& state) {
+  Setup setup(distortedCamera(640));
+  setup.picture.has_part = true;
+  setup.cast(0);
+  std::vector<Pose> before;
+  for (const Drawable& d : setup.scene.drawables) before.push_back(d.X_WS);
+  for (auto _ : state) findMotion(setup.rays, setup.scene, pan(0), before, pan(1), setup.picture);
+}
+BENCHMARK(motion)->Unit(benchmark::kMillisecond);
 
 /// What a picture needs before the first ray.
 void prepare(benchmark::State& state) {

@@ -58,9 +58,10 @@ int main(int count, char** words) {
   if (benchmark::ReportUnrecognizedArguments(count, words)) return 2;
   std::vector<Row> rows;
   bool complete = true;
-  for (const auto& parts : {murosimf::bench::peerParts(), murosimf::bench::growthParts(), murosimf::bench::fieldParts(),
-                            murosimf::bench::fullDynamicsParts(), murosimf::bench::passParts(),
-                            murosimf::bench::kinematicParts(), murosimf::bench::collisionParts()}) {
+  for (const auto& parts :
+       {murosimf::bench::peerParts(), murosimf::bench::growthParts(), murosimf::bench::fieldParts(),
+        murosimf::bench::fullDynamicsParts(), murosimf::bench::passParts(), murosimf::bench::kinematicParts(),
+        murosimf::bench::collisionParts(), murosimf::bench::cameraParts()}) {
     complete = collect(parts, rows) && complete;
   }
   write(rows);

@@ -55,5 +55,6 @@ std::vector<Part> fullDynamicsParts();
 std::vector<Part> passParts();
 std::vector<Part> kinematicParts();
 std::vector<Part> collisionParts();
+std::vector<Part> cameraParts();
 
 }  // namespace murosimf::bench

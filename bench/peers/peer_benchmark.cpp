@@ -8,6 +8,7 @@
 #include <deque>
 #include <memory>
 
+#include "camera_peer.h"
 #include "heap_benchmark.h"
 #include "paired_ratio.h"
 #include "peers/mujoco_robot.h"
@@ -118,7 +119,9 @@ std::vector<Part> peerParts() {
   return {[] { return againstMujoco(multibodyLevel(), 24, laneWidths()); },
           [] { return againstMujoco(multibodyLevel(), 1, {1}); },
           [] { return againstOde(multibodyLevel(), 24, laneWidths()); },
-          [] { return againstOde(simplifiedLevel(), 24, laneWidths()); }, heapAgainstMujoco};
+          [] { return againstOde(simplifiedLevel(), 24, laneWidths()); },
+          heapAgainstMujoco,
+          cameraAgainstMujoco};
 }
 
 }  // namespace murosimf::bench
