@@ -27,6 +27,7 @@ void findMotion(const RayTable& rays, const RayScene& scene, const Pose& X_WC, s
     throw std::invalid_argument("motion: expected a pose for every drawable, and a picture with depth and part");
   constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
   const std::vector<Pose> ways = waysBack(scene, X_WC, before, X_WC_before);
+  const double farthest = validRadius(rays.camera());  // once: it is a search
   picture.motion.assign(pixels, {kNone, kNone});
   for (int v = 0; v < picture.height; ++v)
     for (int u = 0; u < picture.width; ++u) {
@@ -36,8 +37,12 @@ void findMotion(const RayTable& rays, const RayScene& scene, const Pose& X_WC, s
       const std::size_t way = part >= 0 ? static_cast<std::size_t>(part) : before.size() + (sky ? 1 : 0);
       const RaySlopes ray = rays.ray(u, v);
       const Vector3 p_C = Vector3{ray.x, ray.y, 1} * (sky ? 1.0 : static_cast<double>(picture.depth[i]));
-      if (const std::optional<ImagePoint> was = projectPoint(rays.camera(), ways[way] * p_C))
-        picture.motion[i] = {static_cast<float>(u - was->u), static_cast<float>(v - was->v)};
+      const Vector3 was_B = ways[way] * p_C;
+      if (!(was_B.z > 0)) continue;
+      const RaySlopes before_ray{was_B.x / was_B.z, was_B.y / was_B.z};
+      if (before_ray.x * before_ray.x + before_ray.y * before_ray.y > farthest * farthest) continue;
+      const ImagePoint was = project(rays.camera(), before_ray);
+      picture.motion[i] = {static_cast<float>(u - was.u), static_cast<float>(v - was.v)};
     }
 }
 
