@@ -11,15 +11,13 @@ namespace murosimf {
 
 namespace {
 
-/// "ball", "robot", or for what stands on the field "goal" and "pole".
-std::string categoryOf(const Simulation& simulation, ObjectId object) {
-  const auto& [robots, free_bodies, fixed] = simulation.participants();
-  if (std::find(robots.begin(), robots.end(), object) != robots.end()) return "robot";
-  const std::string path = simulation.world().path(object);
-  for (const char* known : {"ball", "goal", "pole"}) {
-    if (path.find(known) != std::string::npos) return known;
+/// "robot", for what stands on the field "goal" and "pole", of other things their path: "ball".
+std::string categoryOf(const SeenClass& seen) {
+  if (seen.kind == SeenKind::kRobot) return "robot";
+  for (const char* known : {"goal", "pole"}) {
+    if (seen.kind == SeenKind::kFixed && seen.path.find(known) != std::string::npos) return known;
   }
-  return path;
+  return seen.path;
 }
 
 /// How the robot's own camera takes pictures; as by default where it has none.
@@ -56,7 +54,7 @@ Photographer::Photographer(const Scene& scene, Simulation& simulation, const std
   scene_.motions.resize(scene_.drawables.size());
   for (const ObjectId object : simulation.view().labelled()) {
     const std::uint16_t label = simulation.view().labelOf(object);
-    objects_.push_back({label, world.path(object), categoryOf(simulation, object)});
+    objects_.push_back({label, world.path(object), categoryOf(simulation.view().classOf(label))});
   }
 }
 
@@ -67,10 +65,9 @@ void Photographer::add(const Scene& scene, ObjectId robot, ObjectId camera) {
   settings.latency = 0;
   settings.period = std::max(settings.period, simulation_.frameLength());
   auto rays = std::make_shared<const RayTable>(*world.find(camera, kCameraModel));
-  cameras_.push_back({world.path(camera), std::make_unique<RobotCamera>(world, simulation_.view(), robot, camera,
-                                                                        std::move(rays), settings,
-                                                                        *scene.simulation.seed,
-                                                                        simulation_.frameLength())});
+  cameras_.push_back(
+      {world.path(camera), std::make_unique<RobotCamera>(world, simulation_.view(), robot, camera, std::move(rays),
+                                                         settings, *scene.simulation.seed, simulation_.frameLength())});
 }
 
 const Picture& Photographer::take(std::size_t camera) {

@@ -54,7 +54,8 @@ TEST(LightFilters, GiveTheSameBitsForAnyNumberOfLanes) {
   };
   const LightPicture scalar = filtered(LightLanes::kOne);
   EXPECT_TRUE(samePixels(scalar, filtered(LightLanes::kEight)));
-  if (isSupported(CastLanes::kSixteen)) EXPECT_TRUE(samePixels(scalar, filtered(LightLanes::kSixteen)));
+  if (!isSupported(CastLanes::kSixteen)) GTEST_SKIP() << "no AVX-512 here";
+  EXPECT_TRUE(samePixels(scalar, filtered(LightLanes::kSixteen)));
 }
 
 TEST(LightFilters, BlurKeepsEvenLightUpToTheBorder) {

@@ -15,21 +15,23 @@ namespace {
 constexpr double kDistance = 2.0, kSpeed = 1.5;  // of a post before the camera [m], [m/s]
 constexpr int kPostLabel = 7;
 
-/// A tall white post before a camera that looks along x, half a metre above a black ground.
+/// A tall white post before a camera that looks along x, high above a black ground.
 struct PostAhead {
   RayTable rays{makePinholeCamera(320, 240, 1.0)};
   RayScene scene;
-  MovingCamera camera{camera_scene::cameraPose({0, 0, 0.5}, 0, 0), {}};
+  MovingCamera camera{camera_scene::cameraPose({0, 0, 5}, 0, 0), {}};
   std::vector<std::uint32_t> hidden;
   ShutterWork work;
   Picture picture;
   LightPicture light;
 
   PostAhead() {
-    scene.ground = {100, 100, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 1.0F, {}, {}};
+    scene.ground.half_length = scene.ground.half_width = 100;
+    scene.ground.carpet = scene.ground.surroundings = {0, 0, 0};
     scene.sky = {0, 0, 0};
     scene.ambient = 1;
-    scene.drawables.push_back(camera_scene::place(makeBox({0.001, 0.1, 20}), {{}, {kDistance, 0, 0}}, {1, 1, 1}, kPostLabel));
+    scene.drawables.push_back(
+        camera_scene::place(makeBox({0.001, 0.1, 20}), {{}, {kDistance, 0, 0}}, {1, 1, 1}, kPostLabel));
     scene.motions = {{}};
   }
   void cast(const Shutter& shutter) {

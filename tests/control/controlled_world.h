@@ -107,8 +107,9 @@ class ControlledWorld {
   std::unique_ptr<RobotCamera> camera(std::size_t i, double period, double phase = 0) const {
     static const auto rays = std::make_shared<const RayTable>(smallLens());
     const ObjectId eye = world.find(world.path(robots[i]) + ".eye");
-    return std::make_unique<RobotCamera>(world, *view, robots[i], eye, rays,
-                                         RobotCameraSettings{period, phase, 0.01, 1}, 7, kFrame);
+    RobotCameraSettings settings;
+    settings.period = period, settings.phase = phase, settings.noise = 0.01;
+    return std::make_unique<RobotCamera>(world, *view, robots[i], eye, rays, settings, 7, kFrame);
   }
   double joint(std::size_t i, int number = 0) const {
     return linked->handle(robots[i], kJointPosition, subset::kJoints).get(number);

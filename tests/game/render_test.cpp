@@ -27,7 +27,7 @@ TEST(Render, WritesEveryKindOfPicture) {
     const Outcome outcome = runProgram(kGame + "--camera robots.red.1.head --at 0.05 --as " + as + " --out " + file);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
     EXPECT_EQ(bytesOf(file).substr(1, 3), "PNG") << as;
-    if (as == "labels") EXPECT_NE(outcome.text.find("robots.blue.1\n"), std::string::npos) << outcome.text;
+    EXPECT_EQ(outcome.text.find("robots.blue.1\n") != std::string::npos, as == "labels") << outcome.text;
   }
   EXPECT_NE(bytesOf(folder + "/colour.png"), bytesOf(folder + "/boxes.png"));
 }

@@ -129,7 +129,7 @@ TEST_F(LensChoice, WrongChoicesAreNamed) {
   says("{lens = \"robots/lenses/fisheye_156.yaml\"}",
        "9:16: there is no calibration \"robots/lenses/fisheye_156.yaml\"");
   says("{extrapolate = 1}", "9:23: extrapolate is neither true nor false");
-  says("{lense = \"a\"}", "it knows noise, gain, antialias, lens, extrapolate (did you mean \"lens\"?)");
+  says("{lense = \"a\"}", "it knows noise, gain, antialias, shadows, lens, extrapolate, chain");
   const std::string broken = write("broken.yaml", "K: [500, 0, 310, 0, 500, 230, 0, 0, 1]\nD: [1, 2, 3]\n");
   says("{lens = \"" + broken + "\"}", "2:4: D has 3 numbers, expected 4, 5, 8 or 12");
 }

@@ -51,9 +51,8 @@ CameraChoice cameraChoice(const RobotSettings& robot, const CameraMount& mount, 
     }
     if (*choice.period > 0) result.settings.period = *choice.period, period_where = choice.period.where;
     if (choice.phase.given()) result.settings.phase = *choice.phase;
-    const PictureChainReader chain(choice, result.settings, diagnostics);
     for (const NamedValue& parameter : choice.parameters) {
-      if (chain.owns(parameter)) continue;
+      if (PictureChainReader::owns(parameter)) continue;
       if (parameter.name == "noise") {
         readNumber(parameter, 0, 0.5, result.settings.noise, diagnostics);
       } else if (parameter.name == "gain") {
@@ -70,6 +69,7 @@ CameraChoice cameraChoice(const RobotSettings& robot, const CameraMount& mount, 
                                       fmt::join(known, ", "), didYouMean(parameter.name, known)));
       }
     }
+    PictureChainReader(choice, diagnostics).read(result.settings);
   }
   if (result.on && !(result.settings.period >= control_period)) {
     diagnostics.error(period_where, fmt::format("{}: period of camera {} is {} s, expected at least the control "

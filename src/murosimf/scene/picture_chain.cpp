@@ -55,25 +55,17 @@ const std::vector<PictureModuleKind>& timingModules() {
   return kinds;
 }
 
-PictureChainReader::PictureChainReader(const ModuleChoice& camera, RobotCameraSettings& settings,
-                                       Diagnostics& diagnostics)
-    : camera_(camera), settings_(settings), diagnostics_(diagnostics) {
+void PictureChainReader::read(RobotCameraSettings& settings) {
   for (const NamedValue& parameter : camera_.parameters)
     if (parameter.name == kChain) readNames(parameter);
   for (const NamedValue& parameter : camera_.parameters) {
-    if (parameter.name == kFormat) readFormat(parameter);
+    if (parameter.name == kFormat) readFormat(parameter, settings.format);
     if (const auto [kind, known] = find(parameter.name); kind != nullptr) readValue(parameter, *kind, *known);
-    const bool replaced = parameter.name == "noise" || parameter.name == "gain";
-    if (replaced && !named_.empty())
-      diagnostics_.error(parameter.name_where,
-                         fmt::format("{} has no meaning beside a chain, expected {}", parameter.name,
-                                     parameter.name == "noise" ? "noise_read of a chain with noise"
-                                                               : "exposure_gain of a chain with exposure"));
   }
-  fill();
+  if (!named_.empty()) fill(settings);
 }
 
-bool PictureChainReader::owns(const NamedValue& parameter) const {
+bool PictureChainReader::owns(const NamedValue& parameter) {
   return parameter.name == kChain || parameter.name == kFormat || find(parameter.name).first != nullptr;
 }
 
@@ -130,11 +122,11 @@ void PictureChainReader::checkPlace(const NamedValue& chain, const std::string& 
   }
 }
 
-void PictureChainReader::readFormat(const NamedValue& format) {
+void PictureChainReader::readFormat(const NamedValue& format, PixelFormat& out) {
   const auto* name = std::get_if<std::string>(&*format.value);
   const std::optional<PixelFormat> found = name == nullptr ? std::nullopt : pixelFormatOf(*name);
   if (found) {
-    settings_.format = *found;
+    out = *found;
     return;
   }
   const std::vector<std::string> known{"rgb", "bgr", "yuyv"};
@@ -163,23 +155,22 @@ void PictureChainReader::readValue(const NamedValue& parameter, const PictureMod
   values_[static_cast<std::size_t>(place - named_.begin())].find(known.name)->second = *number;
 }
 
-void PictureChainReader::fill() {
+void PictureChainReader::fill(RobotCameraSettings& settings) const {
+  settings.gain = 1, settings.noise = 0;
   for (std::size_t i = 0; i < named_.size(); ++i) {
     const auto value = [&](std::string_view name) { return values_[i].find(name)->second; };
     const std::string_view name = named_[i]->name;
     if (name == "rolling_shutter") {
-      settings_.shutter.readout = value("readout");
+      settings.shutter.readout = value("readout");
     } else if (name == "motion_blur") {
-      settings_.shutter.exposure = value("exposure");
-      settings_.shutter.samples = static_cast<int>(value("samples"));
+      settings.shutter.exposure = value("exposure");
+      settings.shutter.samples = static_cast<int>(value("samples"));
     } else if (name == "latency") {
-      settings_.latency = value("delay");
+      settings.latency = value("delay");
     } else {
-      settings_.chain.push_back({named_[i], values_[i]});
+      settings.chain.push_back({named_[i], values_[i]});
     }
   }
-  // A chain without a light module still takes the place of the sensor's own gain and noise.
-  if (!named_.empty()) settings_.gain = 1, settings_.noise = 0;
 }
 
 }  // namespace murosimf

@@ -7,8 +7,8 @@
 ///     rolling_shutter_readout = 0.02
 ///     defocus_deviation = 0.8
 ///
-/// rolling_shutter and motion_blur tell how light is gathered and stand first, latency stands last; between them modules
-/// work in the order in which they are named. Parameters are called MODULE_PARAMETER.
+/// rolling_shutter and motion_blur tell how light is gathered and stand first, latency stands last; between them
+/// modules work in the order in which they are named. Parameters are called MODULE_PARAMETER.
 
 #include "murosimf/modules/camera/robot_camera.h"
 #include "murosimf/scene/scene.h"
@@ -20,22 +20,24 @@ const std::vector<PictureModuleKind>& timingModules();
 
 class PictureChainReader {
  public:
-  /// Reads what belongs to the chain out of a camera's parameters, into settings. Reports what is wrong.
-  PictureChainReader(const ModuleChoice& camera, RobotCameraSettings& settings, Diagnostics& diagnostics);
-  /// Whether a parameter has been dealt with here.
-  bool owns(const NamedValue& parameter) const;
+  PictureChainReader(const ModuleChoice& camera, Diagnostics& diagnostics)
+      : camera_(camera), diagnostics_(diagnostics) {}
+  /// Reads what belongs to the chain out of the camera's parameters; a chain takes the place of gain and noise. Reports
+  /// what is wrong.
+  void read(RobotCameraSettings& settings);
+  /// Whether a parameter is dealt with here.
+  static bool owns(const NamedValue& parameter);
   /// Names of all parameters that a camera could have here.
   static std::vector<std::string> knownParameters();
 
  private:
   void readNames(const NamedValue& chain);
   void checkPlace(const NamedValue& chain, const std::string& name);
-  void readFormat(const NamedValue& format);
+  void readFormat(const NamedValue& format, PixelFormat& out);
   void readValue(const NamedValue& parameter, const PictureModuleKind& kind, const PictureParameter& known);
-  void fill();
+  void fill(RobotCameraSettings& settings) const;
 
   const ModuleChoice& camera_;
-  RobotCameraSettings& settings_;
   Diagnostics& diagnostics_;
   std::vector<const PictureModuleKind*> named_;  // in their order
   std::vector<PictureValues> values_;            // as named_

@@ -87,7 +87,10 @@ namespace {
 class PlaneBlur {
  public:
   PlaneBlur(const LightPasses& passes, std::span<const float> weights, int width, int height, std::vector<float>& work)
-      : passes_(passes), width_(static_cast<std::size_t>(width)), height_(static_cast<std::size_t>(height)), work_(work) {
+      : passes_(passes),
+        width_(static_cast<std::size_t>(width)),
+        height_(static_cast<std::size_t>(height)),
+        work_(work) {
     reach_ = weights.size() - 1;
     job_.weights = weights.data(), job_.reach = static_cast<int>(reach_);
     stride_ = (width_ + LightPicture::kTogether - 1) / LightPicture::kTogether * LightPicture::kTogether;

@@ -20,7 +20,13 @@ class Gathering {
  public:
   Gathering(const RayTable& rays, const RayScene& scene, const MovingCamera& camera,
             std::span<const std::uint32_t> hidden, const CastOptions& options, ShutterWork& work, Picture& picture)
-      : rays_(rays), scene_(scene), camera_(camera), hidden_(hidden), options_(options), work_(work), picture_(picture) {
+      : rays_(rays),
+        scene_(scene),
+        camera_(camera),
+        hidden_(hidden),
+        options_(options),
+        work_(work),
+        picture_(picture) {
     work_.scene = scene;
   }
   /// Rows [first, last) as they are t after the snapshot.

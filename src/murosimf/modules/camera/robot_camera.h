@@ -29,7 +29,7 @@ struct RobotCameraSettings {
   double gain = 1;       ///< brightness of the sensor; likewise
   /// Four samples a pixel where a silhouette passes, as a real sensor averages light over its pixels.
   bool antialias = false;
-  bool shadows = false;  ///< hard shadows of the lamp on the ground and on things
+  bool shadows = false;            ///< hard shadows of the lamp on the ground and on things
   bool depth = false;              ///< whether pictures have depths
   Shutter shutter;                 ///< a moment, unless told
   std::vector<PictureStep> chain;  ///< what happens to the light, in this order; none: gain and noise
