@@ -3,6 +3,7 @@
 #include "murosimf/modules/all_modules.h"
 #include "murosimf/scene/field_texture.h"
 #include "murosimf/soccer/field.h"
+#include "murosimf/soccer/landmarks.h"
 #include "player/player.h"
 #include "trotter/trotter.h"
 
@@ -22,7 +23,10 @@ std::unique_ptr<Simulation> buildGame(const Scene& scene, Diagnostics& diagnosti
   look.texture_size = *scene.field.texture_size;
   look.goal_at_plus_x = *scene.field.goal_at_plus_x;
   look.goal_at_minus_x = *scene.field.goal_at_minus_x;
-  builder.addFixed(addField(builder.world(), fieldDescription(scene), look));
+  const client::FieldDescription field = fieldDescription(scene);
+  const std::vector<ObjectId> objects = addField(builder.world(), field, look);
+  builder.addFixed(objects);
+  builder.addLandmarks(fieldLandmarks(objects, field, look));
   if (watchers) {
     for (Attachment& attachment : watchers(builder.participants())) builder.attach(std::move(attachment));
   }

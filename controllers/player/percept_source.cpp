@@ -1,16 +1,19 @@
 #include "percept_source.h"
 
+#include "sights.h"
 #include "vision.h"
 
 namespace murosimf::controllers {
 
 namespace {
 
-class VisionSource final : public PerceptSource {
+/// The vision for pictures, and whatever cameras without pictures tell.
+class Eyes final : public PerceptSource {
  public:
   void start(const client::RobotDescription& robot) override { vision_.start(robot); }
   void process(const client::SensorFrame& sensors, const Posture& posture, Percepts& out) override {
     vision_.process(sensors, posture, out);
+    addSights(sensors.sights, posture, out);
   }
   void archive(client::StateArchive& archive) override { vision_.archive(archive); }
 
@@ -20,6 +23,6 @@ class VisionSource final : public PerceptSource {
 
 }  // namespace
 
-std::unique_ptr<PerceptSource> makeVisionSource() { return std::make_unique<VisionSource>(); }
+std::unique_ptr<PerceptSource> makeEyes() { return std::make_unique<Eyes>(); }
 
 }  // namespace murosimf::controllers

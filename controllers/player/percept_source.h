@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Where percepts come from: the vision, or in tests an exact substitute.
+/// @file Where percepts come from: the vision and cameras that tell what they see, or in tests an exact substitute.
 
 #include <memory>
 
@@ -15,12 +15,13 @@ class PerceptSource {
  public:
   virtual ~PerceptSource() = default;
   virtual void start(const client::RobotDescription& robot) = 0;
-  /// Clears `out` and fills it with what the frame's pictures show. Called only for frames with pictures.
+  /// Clears `out` and fills it with what the frame's pictures show and its sights tell. Called only for frames that have
+  /// some.
   virtual void process(const client::SensorFrame& sensors, const Posture& posture, Percepts& out) = 0;
   virtual void archive(client::StateArchive& archive) = 0;
 };
 
-/// The vision of vision.h.
-std::unique_ptr<PerceptSource> makeVisionSource();
+/// The vision of vision.h, and the sights of cameras of level "oracle".
+std::unique_ptr<PerceptSource> makeEyes();
 
 }  // namespace murosimf::controllers

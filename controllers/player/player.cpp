@@ -86,7 +86,9 @@ void Player::heedReferee(const client::GameInfo& game) {
 
 void Player::look(const client::SensorFrame& sensors) {
   percepts_.clear();
-  if (sensors.pictures.empty() || body_.fallen()) return;  // from the ground the posture explains no picture
+  if (sensors.own_pose.valid) localisation_.place(sensors.own_pose.pose);
+  const bool sees = !sensors.pictures.empty() || !sensors.sights.empty();
+  if (!sees || body_.fallen()) return;  // from the ground the posture explains no picture
   eyes_->process(sensors, posture_, percepts_);
   localisation_.observe(percepts_);
   ball_.observe(percepts_);
@@ -175,6 +177,6 @@ void Player::archive(client::StateArchive& archive) {
   archive(localisation_, ball_, team_ball_, obstacles_, behaviour_, body_, head_);
 }
 
-std::unique_ptr<client::ControlSoftware> makePlayer() { return std::make_unique<Player>(makeVisionSource()); }
+std::unique_ptr<client::ControlSoftware> makePlayer() { return std::make_unique<Player>(makeEyes()); }
 
 }  // namespace murosimf::controllers

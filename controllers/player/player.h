@@ -2,8 +2,8 @@
 
 /// @file The reference control software of a soccer robot KS21: from sensor frame to command frame.
 ///
-/// Each control period: posture from the joint sensors, odometry from the stance foot, percepts from the pictures (if
-/// there are any), self-localisation and ball, decision, body and head motion, radio message, report. A robot that lies
+/// Each control period: posture from the joint sensors, odometry from the stance foot, percepts from the pictures and sights
+/// (if there are any), self-localisation and ball, decision, body and head motion, radio message, report. A robot that lies
 /// or gets up looks at no picture and trusts no odometry; back on its feet it knows that it is somewhere near.
 
 #include <memory>
@@ -60,7 +60,7 @@ class Player final : public client::ControlSoftware {
   client::ControlReport report_;
 };
 
-/// The player with its vision.
+/// The player with its eyes: it plays with pictures, with sights of level "oracle", or with both.
 std::unique_ptr<client::ControlSoftware> makePlayer();
 
 }  // namespace murosimf::controllers

@@ -39,8 +39,6 @@ const std::map<std::string, std::vector<std::string>> kExpected = {
       "8:50: error: period is 0.006 s, expected a multiple of the frame's length of 0.004 s"}},
     {"pose_with_two_numbers",
      {"3:8: error: pose is an array of 2 values, expected [x, y, heading] or {x = ..., y = ..., heading = ...}"}},
-    {"reserved_level",
-     {"3:9: error: level \"oracle\" comes with a later version, available now: \"kinematic\", \"fast\", \"full\""}},
     {"robot_file_missing", {"2:8: error: there is no robot file \"robots/ks12.urdf\", looked for from "}},
     {"same_goal",
      {"5:11: error: both teams attack the same goal, expected attacks = \"+x\" for one of them and \"-x\" for the "
@@ -52,7 +50,7 @@ const std::map<std::string, std::vector<std::string>> kExpected = {
       "5:2: error: unknown key \"balls\", expected \"simulation\", \"field\", \"ball\", \"surfaces\", \"contacts\", "
       "\"teams\", "
       "\"robots\", \"referee\" or \"output\" (did you mean \"ball\"?)",
-      "11:1: error: unknown key \"moton\" in robots.red.1, expected one of its 27 keys (did you mean \"motion\"?)"}},
+      "11:1: error: unknown key \"moton\" in robots.red.1, expected one of its 28 keys (did you mean \"motion\"?)"}},
     {"unknown_preset",
      {"2:10: error: preset is text \"2025_kit\", expected \"2007\" or \"2025_kid\" (did you mean \"2025_kid\"?)"}},
     {"unknown_team",
@@ -130,7 +128,7 @@ TEST(BrokenScenarios, AMistakeInDefaultsIsToldEvenIfEveryRobotOverridesIt) {
   ASSERT_EQ(said.size(), 1u);
   EXPECT_EQ(
       said[0],
-      "2:9: level is text \"kinematik\", expected \"kinematic\", \"fast\" or \"full\" (did you mean \"kinematic\"?)");
+      "2:9: level is text \"kinematik\", expected \"kinematic\", \"fast\", \"full\" or \"oracle\" (did you mean \"kinematic\"?)");
 }
 
 TEST(BrokenScenarios, StartPosesDoNotStandAmongDefaults) {

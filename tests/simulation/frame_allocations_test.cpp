@@ -91,5 +91,19 @@ TEST(ControlledFrames, AllocateNothingOnTheirOwnThreads) {
   EXPECT_EQ(simulation->control()->counts().steps, 6 * 60);
 }
 
+TEST(ControlledFrames, OraclesAllocateNothing) {
+  BuiltWorld built(sixRobots("idle"), {"robots.all.level=oracle"});
+  const auto simulation = built.simulation();
+  const auto run = [&](int frames) {
+    const long before = allocations;
+    for (int i = 0; i < frames; ++i) simulation->step();
+    simulation->control()->finish();
+    return allocations - before;
+  };
+  run(300);
+  EXPECT_EQ(run(1000), 0);
+  EXPECT_EQ(simulation->control()->counts().pictures, 6 * (1300 / 50 + 1300 / 100));
+}
+
 }  // namespace
 }  // namespace murosimf::test

@@ -121,9 +121,13 @@ ImagePoint project(const CameraModel& camera, RaySlopes ray) {
 }
 
 std::optional<ImagePoint> projectPoint(const CameraModel& camera, const Vector3& p_C) {
+  return projectPoint(camera, p_C, validRadius(camera));
+}
+
+std::optional<ImagePoint> projectPoint(const CameraModel& camera, const Vector3& p_C, double valid_radius) {
   if (!(p_C.z > 0.0)) return std::nullopt;
   const RaySlopes ray{p_C.x / p_C.z, p_C.y / p_C.z};
-  if (length(ray) > validRadius(camera)) return std::nullopt;
+  if (length(ray) > valid_radius) return std::nullopt;
   return project(camera, ray);
 }
 

@@ -74,6 +74,8 @@ ImagePoint project(const CameraModel& camera, RaySlopes ray);
 /// Where a point is seen; nothing when it lies behind the camera or beyond what the lens can see. The place may lie
 /// outside the picture: ask isInPicture().
 std::optional<ImagePoint> projectPoint(const CameraModel& camera, const Vector3& p_C);
+/// The same for many points: valid_radius is what validRadius() says of this camera.
+std::optional<ImagePoint> projectPoint(const CameraModel& camera, const Vector3& p_C, double valid_radius);
 bool isInPicture(const CameraModel& camera, ImagePoint place);
 
 /// The ray that falls on a place of the picture: project() backwards, by Newton's method, to a residual of some 1e-16.

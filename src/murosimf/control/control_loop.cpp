@@ -9,6 +9,11 @@
 
 namespace murosimf {
 
+MountedCamera* ControlledRobot::camera(std::size_t i) const {
+  if (i < cameras.size() && cameras[i] != nullptr) return cameras[i].get();
+  return i < oracles.size() ? oracles[i].get() : nullptr;
+}
+
 ControlLoop::ControlLoop(std::vector<ControlledRobot> robots, const SceneView& view, const ControlTiming& timing,
                          double frame_length)
     : view_(view), timing_(timing), frame_length_(frame_length) {
@@ -21,9 +26,12 @@ ControlLoop::ControlLoop(std::vector<ControlledRobot> robots, const SceneView& v
   bool moving = false;  // some camera's picture needs motions
   for (ControlledRobot& robot : robots) {
     checkCameras(robot);
-    const auto on = std::count_if(robot.cameras.begin(), robot.cameras.end(), [](auto& c) { return c != nullptr; });
-    cameras += robot.program == nullptr ? 0 : static_cast<int>(on);
-    for (const auto& camera : robot.cameras) moving = moving || (camera != nullptr && !camera->settings().isInstant());
+    for (std::size_t i = 0; i < robot.cameraCount(); ++i) {
+      const MountedCamera* camera = robot.camera(i);
+      if (camera == nullptr) continue;
+      cameras += robot.program == nullptr ? 0 : 1;
+      moving = moving || camera->needsMotion();
+    }
     robots_.push_back(std::make_unique<Runner>(robotCount(), count, capacity, std::move(robot)));
   }
   // A camera has at most one picture that waits for its program and one that is being rendered. Each has room for the
@@ -36,7 +44,8 @@ ControlLoop::ControlLoop(std::vector<ControlledRobot> robots, const SceneView& v
 ControlLoop::~ControlLoop() { pool_->wait(); }
 
 void ControlLoop::checkCameras(const ControlledRobot& robot) const {
-  for (const auto& camera : robot.cameras) {
+  for (std::size_t i = 0; i < robot.cameraCount(); ++i) {
+    const MountedCamera* camera = robot.camera(i);
     if (camera != nullptr && camera->period() < static_cast<double>(timing_.period)) {
       throw std::invalid_argument(
           fmt::format("a camera of {} takes a picture every {} frames; expected at least {}, "
@@ -101,7 +110,7 @@ void ControlLoop::takePictures(long frame) {
   for (auto& runner : robots_) {
     if (!runner->runs()) continue;
     for (std::size_t i = 0; i < runner->waiting.size(); ++i) {
-      const auto& camera = runner->controlled.cameras[i];
+      const MountedCamera* camera = runner->controlled.camera(i);
       if (camera == nullptr || !camera->isDue(frame)) continue;
       Exposure& exposure = runner->waiting[i];
       if (exposure.snapshot != kNoSnapshot) snapshots_->release(exposure.snapshot);
@@ -146,12 +155,24 @@ void ControlLoop::launch(Runner& runner, long frame) {
     message.number = 0;
   }
   runner.sensors.team_messages = runner.messages;
+  tellPoses(runner, frame);
   std::swap(runner.exposures, runner.waiting);
   runner.asked = frame;
   runner.answered = true;
   for (ControlObserver* observer : observers_) observer->onSensors(runner.index, frame);
   runner.busy = true;
   pool_->launch(runner.index);
+}
+
+void ControlLoop::tellPoses(Runner& runner, long frame) {
+  if (runner.controlled.localisation == nullptr) return;
+  const std::span<const client::ToldPose> told = runner.controlled.localisation->tell(view_, frame);
+  runner.sensors.own_pose = told.front();
+  runner.mate_poses.clear();
+  for (const client::ToldPose& mate : told.subspan(1)) {
+    if (mate.valid) runner.mate_poses.push_back(mate);
+  }
+  runner.sensors.mate_poses = runner.mate_poses;
 }
 
 void ControlLoop::finish() {
@@ -197,8 +218,9 @@ void ControlLoop::archive(StateArchive& archive) {
     archive(r.failed, fault);
     r.fault = r.failed ? std::optional(fault) : std::nullopt;
     if (r.runs()) r.controlled.program->archive(archive);
-    for (auto& camera : r.controlled.cameras)
-      if (camera != nullptr) archive(*camera);
+    for (std::size_t i = 0; i < r.controlled.cameraCount(); ++i)
+      if (MountedCamera* camera = r.controlled.camera(i)) archive(*camera);
+    if (r.controlled.localisation != nullptr) archive(*r.controlled.localisation);
   }
   snapshots_->archive(archive);
 }

@@ -3,7 +3,8 @@
 /// @file Runs the control software of all robots: pictures and sensors out, commands back in, on its own clock.
 ///
 /// At the end of a frame in which the control period ends, each robot's sensors are read, and one task per robot
-/// renders the pictures taken since and steps its control software, on other threads, while physics goes on. Pictures
+/// renders the pictures taken since and steps its control software, on other threads, while physics goes on. Pictures,
+/// and what cameras of level "oracle" tell in their place,
 /// show the world as it was at the end of the frame in which their camera was due. Commands computed from the sensor
 /// frame of time t act at t + delay:
 ///   simulated clock   never earlier, never later: the frame waits for tasks that are not ready;
@@ -12,14 +13,17 @@
 /// Messages to team mates are delivered with the next sensor frame. No lock is held while a program runs.
 /// A program that throws is not stepped again: its robot keeps the last command, the others go on; see faults().
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "murosimf/control/client/control_software.h"
+#include "murosimf/control/pose_oracle.h"
 #include "murosimf/control/program_pool.h"
 #include "murosimf/control/robot_port.h"
 #include "murosimf/control/snapshot_shelf.h"
+#include "murosimf/modules/camera/oracle_camera.h"
 #include "murosimf/modules/camera/robot_camera.h"
 
 namespace murosimf {
@@ -29,6 +33,12 @@ struct ControlledRobot {
   RobotPort port;
   std::vector<std::unique_ptr<RobotCamera>> cameras;  ///< in the order of the description; null: that camera is off
   std::unique_ptr<client::ControlSoftware> program;   ///< null: nobody; the joints keep their positions
+  std::vector<std::unique_ptr<OracleCamera>> oracles = {};  ///< as cameras, which is null where one stands here
+  std::unique_ptr<PoseOracle> localisation = nullptr;       ///< null: nobody tells where robots stand
+
+  std::size_t cameraCount() const { return std::max(cameras.size(), oracles.size()); }
+  /// The camera with this number, whatever its level of detail; null: it is off.
+  MountedCamera* camera(std::size_t i) const;
 };
 
 /// Somebody who compares what control software believes with the truth. Index: the robot's in ControlLoop.
@@ -102,10 +112,12 @@ class ControlLoop {
   struct Runner;
   void checkCameras(const ControlledRobot& robot) const;
   void takePictures(long frame);
-  void deliver(Runner& runner, std::size_t camera);
+  void deliverPicture(Runner& runner, std::size_t camera);
+  void deliverSights(Runner& runner, std::size_t camera);
   void collect(Runner& runner, long next_frame);
   void deliverMessages();
   void launch(Runner& runner, long frame);
+  void tellPoses(Runner& runner, long frame);
   void runTask(Runner& runner);
   void render(Runner& runner);
   void stepProgram(Runner& runner);

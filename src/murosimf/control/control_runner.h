@@ -2,6 +2,7 @@
 
 /// @file Private to ControlLoop: what it keeps of one robot.
 
+#include <array>
 #include <atomic>
 #include <exception>
 #include <optional>
@@ -41,6 +42,9 @@ struct ControlLoop::Runner {
   std::vector<Exposure> exposures;  // of this sensor frame, one place a camera
   std::vector<client::TeamMessage> messages;
   std::vector<client::CameraPicture> pictures;
+  std::vector<std::array<std::vector<client::SeenThing>, kSightKinds>> things;  // of each camera
+  std::vector<client::CameraSights> sights;
+  std::vector<client::ToldPose> mate_poses;
   client::CommandFrame commands;
   std::optional<std::string> fault;  // what the program threw
   std::exception_ptr observer_fault;
@@ -49,13 +53,16 @@ struct ControlLoop::Runner {
   Runner(int i, int robots, int capacity, ControlledRobot robot)
       : index(i),
         inbox(static_cast<std::size_t>(robots)),
-        waiting(robot.cameras.size()),
+        waiting(robot.cameraCount()),
         pending(capacity, robot.port.emptyCommands()),
         controlled(std::move(robot)),
         exposures(waiting.size()),
+        things(waiting.size()),
         commands(controlled.port.emptyCommands()) {
     messages.reserve(inbox.size());
     pictures.reserve(waiting.size());
+    sights.reserve(waiting.size() * kSightKinds);
+    mate_poses.reserve(inbox.size());
   }
   bool runs() const { return controlled.program != nullptr && !failed; }
   const std::string& team() const { return controlled.port.description().team; }

@@ -55,29 +55,51 @@ void ControlLoop::runTask(Runner& runner) {
 void ControlLoop::render(Runner& runner) {
   const auto start = std::chrono::steady_clock::now();
   runner.pictures.clear();
+  runner.sights.clear();
   for (std::size_t i = 0; i < runner.exposures.size(); ++i) {
     const Exposure& exposure = runner.exposures[i];
     if (exposure.snapshot == kNoSnapshot) continue;
-    RobotCamera& camera = *runner.controlled.cameras[i];
-    camera.render(snapshots_->scene(exposure.snapshot), exposure.place, exposure.frame);
+    runner.controlled.camera(i)->render(snapshots_->scene(exposure.snapshot), exposure.place, exposure.frame);
     ++runner.counts.pictures;
   }
-  for (std::size_t i = 0; i < runner.exposures.size(); ++i) deliver(runner, i);
+  for (std::size_t i = 0; i < runner.exposures.size(); ++i) {
+    deliverPicture(runner, i);
+    deliverSights(runner, i);
+  }
   runner.counts.picture_seconds += secondsSince(start);
 }
 
 /// One picture a step: a camera's period is no shorter than the program's.
-void ControlLoop::deliver(Runner& runner, std::size_t camera) {
-  RobotCamera* source = runner.controlled.cameras[camera].get();
+void ControlLoop::deliverPicture(Runner& runner, std::size_t camera) {
+  const auto& cameras = runner.controlled.cameras;
+  RobotCamera* source = camera < cameras.size() ? cameras[camera].get() : nullptr;
   if (source == nullptr || !source->deliver(runner.asked)) return;
   const Picture& picture = source->picture();
   runner.pictures.push_back({static_cast<int>(camera), source->time(), picture.width, picture.height, source->bytes(),
                              static_cast<client::PixelFormat>(source->settings().format)});
 }
 
+void ControlLoop::deliverSights(Runner& runner, std::size_t camera) {
+  const auto& oracles = runner.controlled.oracles;
+  OracleCamera* source = camera < oracles.size() ? oracles[camera].get() : nullptr;
+  if (source == nullptr || !source->deliver(runner.asked)) return;
+  for (const ArrivedSights& arrived : source->arrived()) {
+    std::vector<client::SeenThing>& things = runner.things[camera][kindIndex(arrived.kind)];
+    things.clear();
+    things.reserve(arrived.sightings.capacity());
+    for (const Sighting& sighting : arrived.sightings) {
+      const Landmark& landmark = source->landmarks()[static_cast<std::size_t>(sighting.landmark)];
+      things.push_back({sighting.p_C, sighting.q_C, landmark.mark, landmark.number});
+    }
+    runner.sights.push_back(
+        {static_cast<int>(camera), static_cast<client::ThingKind>(arrived.kind), arrived.time, things});
+  }
+}
+
 void ControlLoop::stepProgram(Runner& runner) {
   const auto start = std::chrono::steady_clock::now();
   runner.sensors.pictures = runner.pictures;
+  runner.sensors.sights = runner.sights;
   runner.commands.joints.resize(runner.controlled.port.description().joints.size());
   runner.fault = faultOf([&] { runner.controlled.program->step(runner.sensors, runner.commands); });
   runner.counts.program_seconds += secondsSince(start);

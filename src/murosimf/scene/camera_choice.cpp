@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "murosimf/scene/module_choice.h"
+#include "murosimf/scene/oracle_choice.h"
 #include "murosimf/scene/picture_chain.h"
 
 namespace murosimf {
@@ -33,48 +34,71 @@ void readSwitch(const NamedValue& parameter, bool& out, Diagnostics& diagnostics
   out = *value;
 }
 
+/// The names of parameters that every level of detail has: LensBuilder reads them.
+bool isOfLens(const NamedValue& parameter) { return parameter.name == "lens" || parameter.name == "extrapolate"; }
+
+void readRayCaster(const ModuleChoice& choice, RobotCameraSettings& settings, Diagnostics& diagnostics) {
+  for (const NamedValue& parameter : choice.parameters) {
+    if (PictureChainReader::owns(parameter) || isOfLens(parameter)) continue;
+    if (parameter.name == "noise") {
+      readNumber(parameter, 0, 0.5, settings.noise, diagnostics);
+    } else if (parameter.name == "gain") {
+      readNumber(parameter, 0.01, 100, settings.gain, diagnostics);
+    } else if (parameter.name == "antialias") {
+      readSwitch(parameter, settings.antialias, diagnostics);
+    } else if (parameter.name == "shadows") {
+      readSwitch(parameter, settings.shadows, diagnostics);
+    } else {
+      std::vector<std::string> known{"noise", "gain", "antialias", "shadows", "lens", "extrapolate"};
+      for (std::string& name : PictureChainReader::knownParameters()) known.push_back(std::move(name));
+      diagnostics.error(parameter.name_where,
+                        fmt::format("module ray_caster has no parameter \"{}\"; it knows {}{}", parameter.name,
+                                    fmt::join(known, ", "), didYouMean(parameter.name, known)));
+    }
+  }
+  PictureChainReader(choice, diagnostics).read(settings);
+}
+
+/// The module of a camera: what is written, else what the level of detail brings.
+std::string moduleOf(const RobotSettings& robot, const ModuleChoice* choice, Diagnostics& diagnostics) {
+  const std::string usual = *robot.level == "oracle" ? "oracle" : "ray_caster";
+  if (choice == nullptr || choice->module->empty()) return usual;
+  const std::vector<std::string> known{"none", "ray_caster", "oracle"};
+  if (std::find(known.begin(), known.end(), *choice->module) != known.end()) return *choice->module;
+  diagnostics.error(choice->module.where,
+                    fmt::format("{}: unknown camera module \"{}\"; expected none, ray_caster or oracle{}", robot.path(),
+                                *choice->module, didYouMean(*choice->module, known)));
+  return usual;
+}
+
 }  // namespace
 
 CameraChoice cameraChoice(const RobotSettings& robot, const CameraMount& mount, double control_period,
                           Diagnostics& diagnostics) {
   CameraChoice result;
   SourceLocation period_where = mount.where;
-  result.settings.period = mount.period;
-  result.settings.phase = mount.phase;
-  for (const ModuleChoice& choice : robot.cameras) {
-    if (choice.slot != mount.name) continue;
-    if (*choice.module == "none") result.on = false;
-    if (!choice.module->empty() && *choice.module != "none" && *choice.module != "ray_caster") {
-      diagnostics.error(choice.module.where,
-                        fmt::format("{}: unknown camera module \"{}\"; expected none or ray_caster{}", robot.path(),
-                                    *choice.module, didYouMean(*choice.module, {"none", "ray_caster"})));
+  double &period = result.settings.period, &phase = result.settings.phase;
+  period = mount.period, phase = mount.phase;
+  const auto named = std::find_if(robot.cameras.begin(), robot.cameras.end(),
+                                  [&](const ModuleChoice& choice) { return choice.slot == mount.name; });
+  const ModuleChoice* choice = named == robot.cameras.end() ? nullptr : &*named;
+  const std::string module = moduleOf(robot, choice, diagnostics);
+  result.on = module != "none";
+  if (module == "oracle") result.oracle.emplace();
+  if (choice != nullptr) {
+    if (*choice->period > 0) period = *choice->period, period_where = choice->period.where;
+    if (choice->phase.given()) phase = *choice->phase;
+    if (result.oracle) {
+      readSightErrors(*choice, result.oracle->errors, diagnostics);
+    } else {
+      readRayCaster(*choice, result.settings, diagnostics);
     }
-    if (*choice.period > 0) result.settings.period = *choice.period, period_where = choice.period.where;
-    if (choice.phase.given()) result.settings.phase = *choice.phase;
-    for (const NamedValue& parameter : choice.parameters) {
-      if (PictureChainReader::owns(parameter)) continue;
-      if (parameter.name == "noise") {
-        readNumber(parameter, 0, 0.5, result.settings.noise, diagnostics);
-      } else if (parameter.name == "gain") {
-        readNumber(parameter, 0.01, 100, result.settings.gain, diagnostics);
-      } else if (parameter.name == "antialias") {
-        readSwitch(parameter, result.settings.antialias, diagnostics);
-      } else if (parameter.name == "shadows") {
-        readSwitch(parameter, result.settings.shadows, diagnostics);
-      } else if (parameter.name != "lens" && parameter.name != "extrapolate") {  // these are read by LensBuilder
-        std::vector<std::string> known{"noise", "gain", "antialias", "shadows", "lens", "extrapolate"};
-        for (std::string& name : PictureChainReader::knownParameters()) known.push_back(std::move(name));
-        diagnostics.error(parameter.name_where,
-                          fmt::format("module ray_caster has no parameter \"{}\"; it knows {}{}", parameter.name,
-                                      fmt::join(known, ", "), didYouMean(parameter.name, known)));
-      }
-    }
-    PictureChainReader(choice, diagnostics).read(result.settings);
   }
-  if (result.on && !(result.settings.period >= control_period)) {
+  if (result.oracle) result.oracle->period = period, result.oracle->phase = phase;
+  if (result.on && !(period >= control_period)) {
     diagnostics.error(period_where, fmt::format("{}: period of camera {} is {} s, expected at least the control "
                                                 "software's of {} s",
-                                                robot.path(), mount.name, result.settings.period, control_period));
+                                                robot.path(), mount.name, period, control_period));
   }
   return result;
 }

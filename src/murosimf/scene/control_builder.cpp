@@ -31,8 +31,10 @@ void WorldBuilder::chooseCameras(Outfit& outfit) {
   for (const CameraMount& mount : outfit.model->cameras) {
     outfit.cameras.push_back(cameraChoice(*outfit.robot, mount, *scene_.simulation.control_period, diagnostics_));
     const ObjectId camera = world_->find(world_->path(outfit.id) + "." + mount.name);
-    outfit.rays.push_back(outfit.cameras.back().on ? raysOf(mount, camera) : nullptr);
+    const CameraChoice& choice = outfit.cameras.back();
+    outfit.rays.push_back(choice.on && !choice.oracle ? raysOf(mount, camera) : nullptr);
   }
+  outfit.localisation = localisationChoice(*outfit.robot, diagnostics_);
 }
 
 void WorldBuilder::chooseProgram(Outfit& outfit, const ControlPrograms& programs) {
@@ -54,27 +56,70 @@ void WorldBuilder::chooseProgram(Outfit& outfit, const ControlPrograms& programs
                               fmt::join(known, ", "), didYouMean(*name, known)));
 }
 
+/// The ball, the robots, and what was added.
+std::vector<Landmark> WorldBuilder::allLandmarks() const {
+  std::vector<Landmark> all;
+  for (const ObjectId ball : participants_.free_bodies) {
+    Landmark& landmark = all.emplace_back();
+    landmark.kind = SightKind::kBall, landmark.object = ball;
+    landmark.height = *scene_.ball.radius;
+  }
+  for (const Outfit& outfit : outfits_) {
+    Landmark& landmark = all.emplace_back();
+    landmark.kind = SightKind::kRobot, landmark.object = outfit.id;
+    landmark.grounded = true;
+    landmark.mark = outfit.robot->team, landmark.number = outfit.robot->number;
+  }
+  all.insert(all.end(), landmarks_.begin(), landmarks_.end());
+  return all;
+}
+
+void WorldBuilder::addCameras(const Outfit& outfit, const SceneView& view, ControlledRobot& robot) const {
+  const double frame = *scene_.simulation.frame;
+  const std::uint64_t seed = *scene_.simulation.seed;
+  const auto objects = world_->members(outfit.id, kCamerasSubset);
+  const std::vector<Landmark> landmarks = allLandmarks();
+  for (std::size_t i = 0; i < outfit.cameras.size(); ++i) {
+    const CameraChoice& choice = outfit.cameras[i];
+    auto& picture = robot.cameras.emplace_back();
+    auto& oracle = robot.oracles.emplace_back();
+    if (choice.oracle) {
+      oracle = std::make_unique<OracleCamera>(*world_, view, outfit.id, objects[i],
+                                              *world_->find(objects[i], kCameraModel), landmarks, *choice.oracle, seed,
+                                              frame);
+    } else if (outfit.rays[i] != nullptr) {
+      picture = std::make_unique<RobotCamera>(*world_, view, outfit.id, objects[i], outfit.rays[i], choice.settings,
+                                              seed, frame);
+    }
+  }
+}
+
+std::unique_ptr<PoseOracle> WorldBuilder::makeLocalisation(const Outfit& outfit, long control_period) const {
+  if (!outfit.localisation) return nullptr;
+  std::vector<ToldRobot> told{{outfit.id, outfit.robot->number}};
+  for (const Outfit& mate : outfits_) {
+    if (mate.id != outfit.id && mate.robot->team == outfit.robot->team) told.push_back({mate.id, mate.robot->number});
+  }
+  const bool attacks_plus = *(outfit.robot->team == "red" ? scene_.red : scene_.blue).attacks_positive_x;
+  return std::make_unique<PoseOracle>(std::move(told), attacks_plus, *outfit.localisation, *scene_.simulation.seed,
+                                      outfit.robot->path(), control_period, *scene_.simulation.frame);
+}
+
 void WorldBuilder::attachControl(Simulation& simulation) const {
   const double frame = *scene_.simulation.frame;
-  std::vector<ControlledRobot> controlled;
-  for (const Outfit& outfit : outfits_) {
-    ControlledRobot& robot = controlled.emplace_back(
-        ControlledRobot{RobotPort(simulation.linked(), outfit.id, describe(*outfit.robot)), {}, nullptr});
-    const auto objects = world_->members(outfit.id, kCamerasSubset);
-    for (std::size_t i = 0; i < outfit.rays.size(); ++i) {
-      robot.cameras.push_back(outfit.rays[i] == nullptr
-                                  ? nullptr
-                                  : std::make_unique<RobotCamera>(*world_, simulation.view(), outfit.id, objects[i],
-                                                                  outfit.rays[i], outfit.cameras[i].settings,
-                                                                  *scene_.simulation.seed, frame));
-    }
-    if (outfit.program != nullptr) robot.program = outfit.program();
-  }
   ControlTiming timing;
   timing.period = std::lround(*scene_.simulation.control_period / frame);
   timing.delay = std::lround(*scene_.simulation.control_delay / frame);
   timing.paced = *scene_.simulation.pace > 0;
   timing.threads = *scene_.simulation.threads;
+  std::vector<ControlledRobot> controlled;
+  for (const Outfit& outfit : outfits_) {
+    ControlledRobot& robot = controlled.emplace_back(
+        ControlledRobot{RobotPort(simulation.linked(), outfit.id, describe(*outfit.robot)), {}, nullptr});
+    addCameras(outfit, simulation.view(), robot);
+    robot.localisation = makeLocalisation(outfit, timing.period);
+    if (outfit.program != nullptr) robot.program = outfit.program();
+  }
   simulation.setControl(std::make_unique<ControlLoop>(std::move(controlled), simulation.view(), timing, frame));
 }
 

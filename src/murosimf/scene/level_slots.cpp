@@ -52,6 +52,7 @@ constexpr Slot kSimplifiedSlots[] = {{"velocities", "tree_motion"},
                                      {"force", "force_sensor"}};
 
 constexpr LevelSlots kLevels[] = {{"kinematic", "kinematic_walking", kKinematicSlots, 0.01},
+                                  {"oracle", "kinematic_walking", kKinematicSlots, 0.01},
                                   {"fast", "simplified_dynamics", kSimplifiedSlots, 0},
                                   {"full", "multibody_dynamics", kMultibodySlots, 0, kJointForces},
                                   {"full", "composite_body_dynamics", kMultibodySlots, 0, kJointForces}};

@@ -50,7 +50,7 @@ void flatten(TextNode& node, const std::string& name, std::vector<TextNode>& out
 void normaliseRobot(TextNode& robot) {
   if (!robot.isTable()) return;
   for (const std::string_view slot : kModuleSlots) nameToTable(robot.find(slot), "module");
-  for (const std::string_view table : {"control", "focus"}) nameToTable(robot.find(table), nameKeyOf(table));
+  for (const std::string_view table : {"control", "focus", "localisation"}) nameToTable(robot.find(table), nameKeyOf(table));
   namesToTables(robot.find("cameras"));
   namesToTables(robot.find("modules"));
   for (const char* pose : {"pose", "kickoff_own", "kickoff_other"}) poseToTable(robot.find(pose));
@@ -94,7 +94,8 @@ void layModules(TextNode& lower, const TextNode& upper) {
 }
 
 bool isModuleSlot(std::string_view key) {
-  return key == "control" || std::find(std::begin(kModuleSlots), std::end(kModuleSlots), key) != std::end(kModuleSlots);
+  return key == "control" || key == "localisation" ||
+         std::find(std::begin(kModuleSlots), std::end(kModuleSlots), key) != std::end(kModuleSlots);
 }
 
 void layRobot(TextNode& lower, const TextNode* upper) {

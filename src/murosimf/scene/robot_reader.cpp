@@ -35,11 +35,13 @@ class RobotReader {
     readFile(robot);
     readPoses(robot);
     reader_.read("role", robot.role);
-    readLevel(robot);
+    reader_.read("level", robot.level);
     for (const std::string_view slot : kModuleSlots)
       if (const TextNode* node = reader_.child(slot)) addModule(robot.modules, std::string(slot), *node);
     readNamedModules("modules", "modules.", robot.modules);
     readNamedModules("cameras", "", robot.cameras);
+    robot.localisation.slot = "localisation";
+    if (const TextNode* node = reader_.child("localisation")) readChoice(robot.localisation, *node, "MODULE", "module");
     readFocus(robot);
     readControl(robot);
     readProperties(robot);
@@ -76,18 +78,6 @@ class RobotReader {
         problems_.error(node->key_where, fmt::format("{} stands among the defaults of many robots, expected in a "
                                                      "table of one robot, as [robots.red.1]",
                                                      key));
-  }
-
-  void readLevel(RobotSettings& robot) {
-    const TextNode* node = reader_.child("level");
-    const std::optional<std::string> word = node == nullptr ? std::nullopt : readText(*node);
-    if (word == "oracle") {
-      problems_.error(node->where, fmt::format("level \"{}\" comes with a later version, available now: \"kinematic\", "
-                                               "\"fast\", \"full\"",
-                                               *word));
-      return;
-    }
-    reader_.read("level", robot.level);
   }
 
   /// @return false when the node is no choice of a module

@@ -167,6 +167,8 @@ void writeRobot(ScenarioWriter& out, const RobotSettings& r) {
     out.choice(r.path() + "." + (extra ? prefix + inQuotes(m.slot.substr(prefix.size())) : m.slot), "module", m);
   }
   for (const ModuleChoice& m : r.cameras) out.choice(r.path() + ".cameras." + inQuotes(m.slot), "module", m);
+  if (r.localisation.module.given() || !r.localisation.parameters.empty())
+    out.choice(r.path() + ".localisation", "module", r.localisation);
   if (r.focus) {
     out.table(r.path() + ".focus");
     out.value("motion", r.focus->motion);

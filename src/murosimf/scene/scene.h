@@ -118,6 +118,7 @@ struct RobotSettings {
   Located<std::string> level{"kinematic", {}};
   std::vector<ModuleChoice> modules;  ///< only slots that the scenario names, by slot
   std::vector<ModuleChoice> cameras;  ///< only cameras that the scenario names, by name
+  ModuleChoice localisation;          ///< module empty: the level's
   std::optional<FocusSettings> focus;
   ModuleChoice control;                                           ///< module "none": no control software
   std::vector<NamedValue> properties;                             ///< name: object path and property, "trunk.mass"

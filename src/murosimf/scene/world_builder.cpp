@@ -39,6 +39,10 @@ void WorldBuilder::addFixed(const std::vector<ObjectId>& objects) {
   participants_.fixed.insert(participants_.fixed.end(), objects.begin(), objects.end());
 }
 
+void WorldBuilder::addLandmarks(const std::vector<Landmark>& landmarks) {
+  landmarks_.insert(landmarks_.end(), landmarks.begin(), landmarks.end());
+}
+
 const RobotBlueprint* WorldBuilder::blueprint(const RobotSettings& robot) {
   const std::string file = robot.file_found.string();
   const auto found = blueprints_.find(file);

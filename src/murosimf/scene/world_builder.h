@@ -19,6 +19,7 @@
 #include "murosimf/scene/camera_choice.h"
 #include "murosimf/scene/lens_builder.h"
 #include "murosimf/scene/module_choice.h"
+#include "murosimf/scene/oracle_choice.h"
 #include "murosimf/scene/robot_builder.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene/servo_builder.h"
@@ -36,6 +37,8 @@ class WorldBuilder {
   World& world() { return *world_; }
   const Participants& participants() const { return participants_; }
   void addFixed(const std::vector<ObjectId>& objects);
+  /// What oracles know besides the ball and the robots.
+  void addLandmarks(const std::vector<Landmark>& landmarks);
   /// Somebody else who reads properties of robots: a window.
   void attach(Attachment attachment) { attachments_.push_back(std::move(attachment)); }
   /// Links modules to robots, gives them cameras and control software, and asks for the initial placements.
@@ -51,7 +54,8 @@ class WorldBuilder {
     ObjectId id;
     MotionPlan plan;
     std::vector<CameraChoice> cameras;                  // as in the model
-    std::vector<std::shared_ptr<const RayTable>> rays;  // same; null: that camera is off
+    std::vector<std::shared_ptr<const RayTable>> rays;  // same; null: no picture
+    std::optional<PoseOracleSettings> localisation;
     std::function<std::unique_ptr<client::ControlSoftware>()> program;
   };
   const RobotBlueprint* blueprint(const RobotSettings& robot);
@@ -64,6 +68,9 @@ class WorldBuilder {
   bool assignModules(Linker& linker, const ModuleRegistry& registry);
   void chooseCameras(Outfit& outfit);
   void chooseProgram(Outfit& outfit, const ControlPrograms& programs);
+  std::vector<Landmark> allLandmarks() const;
+  void addCameras(const Outfit& outfit, const SceneView& view, ControlledRobot& robot) const;
+  std::unique_ptr<PoseOracle> makeLocalisation(const Outfit& outfit, long control_period) const;
   void attachControl(Simulation& simulation) const;
   void placeAll(Simulation& simulation) const;
   void addFocus(Simulation& simulation) const;
@@ -77,6 +84,7 @@ class WorldBuilder {
   Participants participants_;
   std::map<std::string, std::unique_ptr<RobotBlueprint>> blueprints_;
   std::vector<Outfit> outfits_;
+  std::vector<Landmark> landmarks_;
   std::vector<Attachment> attachments_;
   std::vector<std::pair<CameraModel, std::shared_ptr<const RayTable>>> rays_;  // null: the lens is impossible
 };

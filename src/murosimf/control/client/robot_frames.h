@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "murosimf/math/transform.h"
@@ -27,6 +28,33 @@ struct CameraPicture {
   int width = 0, height = 0;
   std::span<const std::uint8_t> bytes;  ///< rows from the top, without gaps
   PixelFormat format = PixelFormat::kRgb;
+};
+
+/// Kinds of things that a camera of level "oracle" tells of, in the place of a picture.
+enum class ThingKind : std::uint8_t { kBall, kRobot, kPost, kPole, kLine };
+
+/// One thing seen, in the camera's frame C (x right, y down, z forward) at the moment of the look.
+struct SeenThing {
+  Vector3 p_C;  ///< a ball's centre; on the ground below a robot's base; foot of a post or pole; a line's one end [m]
+  Vector3 q_C;  ///< where the part of a line that is seen ends; of other things p_C [m]
+  std::string_view mark;  ///< team of a robot, colour of a post or of a pole's top: "red", "yellow"
+  int number = 0;         ///< jersey number of a robot
+};
+
+/// What was found of one kind in one look, valid only during the call that delivers it. No thing: none was found.
+struct CameraSights {
+  int camera = 0;  ///< index into RobotDescription::cameras
+  ThingKind kind = ThingKind::kBall;
+  double time = 0;  ///< of the look [s]
+  std::span<const SeenThing> things;
+};
+
+/// Where a robot stands, as somebody who knows tells it: level "oracle" of localisation.
+struct ToldPose {
+  int number = 0;    ///< jersey number
+  bool valid = false;  ///< false: nothing was told this time
+  double time = 0;   ///< of the truth that was told [s]
+  PlanarPose pose;   ///< in the team's own frame
 };
 
 enum class GamePhase : std::uint8_t { kReady, kSet, kPlaying, kFinished };
@@ -64,6 +92,9 @@ struct SensorFrame {
   std::span<const std::uint8_t> touches;    ///< as RobotDescription::touch_sensors: 1 where something presses, else 0
   std::span<const Vector3> forces;          ///< as RobotDescription::force_sensors, in their axes [N]
   std::span<const CameraPicture> pictures;  ///< those whose time has come since the last frame
+  std::span<const CameraSights> sights;     ///< of cameras of level "oracle", likewise
+  ToldPose own_pose;                        ///< not valid where nobody tells it
+  std::span<const ToldPose> mate_poses;     ///< those that were told since the last frame
   std::span<const TeamMessage> team_messages;  ///< from team mates
   GameInfo game;
 };

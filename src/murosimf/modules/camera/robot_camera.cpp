@@ -1,61 +1,28 @@
 #include "murosimf/modules/camera/robot_camera.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "murosimf/algorithms/light/light_filters.h"
-#include "murosimf/world/vocabulary.h"
 
 namespace murosimf {
 
 RobotCamera::RobotCamera(const World& world, const SceneView& view, ObjectId robot, ObjectId camera,
                          std::shared_ptr<const RayTable> rays, const RobotCameraSettings& settings, std::uint64_t seed,
                          double frame_length)
-    : robot_(robot),
-      object_(camera),
-      path_(world.path(camera)),
+    : MountedCamera(world, view, robot, camera, settings.period, settings.phase, frame_length),
       rays_(std::move(rays)),
       settings_(settings),
       seed_(seed),
-      period_(settings.period / frame_length),
-      phase_(settings.phase / frame_length),
-      frame_length_(frame_length),
       gathers_light_(!settings.chain.empty() || !settings.isInstant()),
       queue_(std::lround(settings.latency / frame_length),
              static_cast<std::size_t>(std::ceil(settings.latency / settings.period)) + 1) {
-  const MountPlace* place = world.findShared(camera, kCameraPlace);
-  if (place == nullptr) throw std::invalid_argument(fmt::format("camera {} has no camera_place", path_));
-  if (!(period_ >= 1)) throw std::invalid_argument(fmt::format("camera {} has no period of at least one frame", path_));
   picture_.has_depth = settings_.depth;
-  row_ = place->row;
-  X_BC_ = place->X_RM;
-  if (const std::vector<int>* rows = world.findShared(camera, kHiddenRows)) {
-    for (const int row : *rows) hidden_.push_back(view.ownerOf(robot, row));
-  }
   for (const PictureStep& step : settings_.chain) chain_.push_back(step.kind->make(model(), step.values));
 }
 
-bool RobotCamera::isDue(long frame) const {
-  const long near = std::lround((static_cast<double>(frame + 1) - phase_) / period_);
-  for (long k = std::max(0L, near - 1); k <= near + 1; ++k) {
-    if (std::lround(phase_ + static_cast<double>(k) * period_) == frame + 1) return true;
-  }
-  return false;
-}
-
-MovingCamera RobotCamera::place(const SceneView& view, long frame) const {
-  const Pose X_WB = view.bodyPose(robot_, row_, frame), X_WC = X_WB * X_BC_;
-  if (settings_.isInstant()) return {X_WC, {}};
-  const SpatialMotion<double> V = view.bodyMotion(robot_, row_, frame);
-  return {X_WC, {V.w, V.v + cross(V.w, X_WC.translation - X_WB.translation)}};
-}
-
 void RobotCamera::render(const RayScene& scene, const MovingCamera& place, long frame) {
-  const std::uint64_t key = noiseKey(seed_, path_, static_cast<std::uint64_t>(frame + 1));
+  const std::uint64_t key = noiseKey(seed_, path(), static_cast<std::uint64_t>(frame + 1));
   cast(scene, place, key);
   if (gathers_light_) finishLight(key, frame);
   last_frame_ = frame;
@@ -68,7 +35,7 @@ void RobotCamera::render(const RayScene& scene, const MovingCamera& place, long 
 bool RobotCamera::deliver(long frame) {
   const long taken = late() ? queue_.next(frame, shown_) : std::exchange(waits_, false) ? last_frame_ : -1;
   if (taken < 0) return false;
-  time_ = static_cast<double>(taken + 1) * frame_length_ - settings_.shutter.age();
+  time_ = timeOf(taken) - settings_.shutter.age();
   if (settings_.format != PixelFormat::kRgb)
     storePixels(picture().rgb, picture().width, picture().height, settings_.format, bytes_);
   return true;
@@ -83,16 +50,16 @@ void RobotCamera::cast(const RayScene& scene, const MovingCamera& place, std::ui
   options.antialias = settings_.antialias;
   options.shadows = settings_.shadows;
   if (gathers_light_) {
-    castThroughShutter(*rays_, scene, place, hidden_, options, settings_.shutter, work_, picture_, light_);
+    castThroughShutter(*rays_, scene, place, hidden(), options, settings_.shutter, work_, picture_, light_);
     return;
   }
   options.sensor = {static_cast<float>(settings_.gain), static_cast<float>(settings_.noise), key};
-  castPicture(*rays_, scene, place.X_WC, hidden_, options, work_.prepared, picture_);
+  castPicture(*rays_, scene, place.X_WC, hidden(), options, work_.prepared, picture_);
 }
 
 /// The chain; without one what a sensor does by itself.
 void RobotCamera::finishLight(std::uint64_t key, long frame) {
-  const double since_last = last_frame_ < 0 ? 0 : static_cast<double>(frame - last_frame_) * frame_length_;
+  const double since_last = last_frame_ < 0 ? 0 : static_cast<double>(frame - last_frame_) * frameLength();
   for (const auto& module : chain_) module->apply(light_, {key, since_last});
   if (chain_.empty()) {
     const auto gain = static_cast<float>(settings_.gain);

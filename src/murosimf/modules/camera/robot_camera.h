@@ -8,9 +8,9 @@
 #include "murosimf/algorithms/light/pixel_format.h"
 #include "murosimf/algorithms/light/shutter.h"
 #include "murosimf/algorithms/ray_caster.h"
+#include "murosimf/modules/camera/mounted_camera.h"
 #include "murosimf/modules/camera/picture_modules.h"
 #include "murosimf/modules/camera/picture_queue.h"
-#include "murosimf/modules/camera/scene_view.h"
 
 namespace murosimf {
 
@@ -40,52 +40,36 @@ struct RobotCameraSettings {
   bool isInstant() const { return shutter.readout <= 0 && shutter.exposure <= 0; }
 };
 
-class RobotCamera {
+class RobotCamera final : public MountedCamera {
  public:
-  /// World and view are looked at here alone.
-  /// @throws std::invalid_argument when the object lacks a mount, or when the period is below one frame.
+  /// @throws std::invalid_argument as MountedCamera does.
   RobotCamera(const World& world, const SceneView& view, ObjectId robot, ObjectId camera,
               std::shared_ptr<const RayTable> rays, const RobotCameraSettings& settings, std::uint64_t seed,
               double frame_length);
 
-  ObjectId object() const { return object_; }
   const CameraModel& model() const { return rays_->camera(); }
   const RobotCameraSettings& settings() const { return settings_; }
-  /// Time between pictures [frames], not always a whole number.
-  double period() const { return period_; }
-  /// True when a picture is due at the end of this frame; `frame` = -1 is the moment before the first one. Picture k is
-  /// taken at phase + k period, rounded to frames: at 30 Hz and 1 ms after 33, 67, 100 frames, so nothing drifts.
-  bool isDue(long frame) const;
-  /// Where it is at the end of a frame, and how it moves.
-  MovingCamera place(const SceneView& view, long frame) const;
-  /// Renders a picture. May run on any thread while the simulation goes on; reads only its arguments. The scene needs
-  /// motions unless settings().isInstant().
-  void render(const RayScene& scene, const MovingCamera& place, long frame);
+  bool needsMotion() const override { return !settings_.isInstant(); }
+  /// Renders a picture.
+  void render(const RayScene& scene, const MovingCamera& place, long frame) override;
   /// Lets the oldest picture arrive that was rendered and has spent the latency on its way by the end of this frame.
-  /// @return false where there is none
-  bool deliver(long frame);
+  bool deliver(long frame) override;
   /// The picture that has arrived last; where there is no latency, the one that was rendered last.
   const Picture& picture() const { return late() ? shown_ : picture_; }
   /// Its bytes as control software gets them, and the middle of its exposure [s].
   std::span<const std::uint8_t> bytes() const;
   double time() const { return time_; }
 
-  void archive(StateArchive& archive);
+  void archive(StateArchive& archive) override;
 
  private:
   void cast(const RayScene& scene, const MovingCamera& place, std::uint64_t key);
   void finishLight(std::uint64_t key, long frame);
   bool late() const { return settings_.latency > 0; }
 
-  ObjectId robot_, object_;
-  std::string path_;
   std::shared_ptr<const RayTable> rays_;
   RobotCameraSettings settings_;
   std::uint64_t seed_;
-  double period_, phase_, frame_length_;  // period and phase in frames
-  int row_;
-  Pose X_BC_;
-  std::vector<std::uint32_t> hidden_;
   std::vector<std::unique_ptr<PictureModule>> chain_;
   bool gathers_light_;
   long last_frame_ = -1;  // of the picture before; -1: none

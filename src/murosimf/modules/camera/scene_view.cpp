@@ -129,6 +129,21 @@ std::uint32_t SceneView::ownerOf(ObjectId object, int row) const {
   return labelOf(object) * kRowsPerOwner + static_cast<std::uint32_t>(row);
 }
 
+SceneView::Drawn SceneView::drawnOf(ObjectId object) const {
+  const std::uint16_t label = labelOf(object);
+  Drawn drawn;
+  for (int i = 0; label != 0 && i < static_cast<int>(initial_.drawables.size()); ++i) {
+    const auto index = static_cast<std::size_t>(i);
+    if (initial_.drawables[index].label != label) continue;
+    if (drawn.carrier < 0) drawn.first = drawn.carrier = i;
+    drawn.last = i + 1;
+    const bool better = sources_[index].row == 0 && sources_[static_cast<std::size_t>(drawn.carrier)].row != 0;
+    if (better) drawn.carrier = i;
+  }
+  if (drawn.carrier >= 0) drawn.X_SB = inverse(sources_[static_cast<std::size_t>(drawn.carrier)].X_BS);
+  return drawn;
+}
+
 const BodyPath& SceneView::pathOf(ObjectId robot) const {
   const auto found = std::find(robots_.begin(), robots_.end(), robot);
   return paths_[static_cast<std::size_t>(found - robots_.begin())];

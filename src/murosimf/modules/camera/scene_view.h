@@ -46,6 +46,13 @@ class SceneView {
   std::uint32_t ownerOf(ObjectId object, int row) const;
   /// What pixels of this label show.
   const SeenClass& classOf(std::uint16_t label) const;
+  /// Where an object stands among the drawables of scenes, and which of them tells where its base B is.
+  struct Drawn {
+    int first = 0, last = 0;  ///< [first, last) belong to it
+    int carrier = -1;         ///< fixed to its base, or the first one where none is; -1: nothing is drawn
+    Pose X_SB;                ///< B in the carrier's frame S
+  };
+  Drawn drawnOf(ObjectId object) const;
   /// X_WB of a body at the end of a frame, and its twist (w; v) over the frame: world axes, of its origin.
   Pose bodyPose(ObjectId robot, int row, long frame) const;
   SpatialMotion<double> bodyMotion(ObjectId robot, int row, long frame) const;

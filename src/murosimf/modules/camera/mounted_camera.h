@@ -1,0 +1,60 @@
+#pragma once
+
+/// @file What all levels of detail of a robot's camera have in common: where it sits, and when it looks.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "murosimf/algorithms/light/shutter.h"
+#include "murosimf/math/state_archive.h"
+#include "murosimf/modules/camera/scene_view.h"
+
+namespace murosimf {
+
+class MountedCamera {
+ public:
+  /// World and view are looked at here alone. Period and phase in s.
+  /// @throws std::invalid_argument when the object lacks a mount, or when the period is below one frame.
+  MountedCamera(const World& world, const SceneView& view, ObjectId robot, ObjectId camera, double period, double phase,
+                double frame_length);
+  MountedCamera(const MountedCamera&) = delete;
+  MountedCamera& operator=(const MountedCamera&) = delete;
+  virtual ~MountedCamera() = default;
+
+  ObjectId object() const { return object_; }
+  const std::string& path() const { return path_; }
+  /// Time between pictures [frames], not always a whole number.
+  double period() const { return period_; }
+  /// True when a picture is due at the end of this frame; `frame` = -1 is the moment before the first one. Picture k is
+  /// taken at phase + k period, rounded to frames: at 30 Hz and 1 ms after 33, 67, 100 frames, so nothing drifts.
+  bool isDue(long frame) const;
+  /// Where it is at the end of a frame, and how it moves where needsMotion().
+  MovingCamera place(const SceneView& view, long frame) const;
+
+  /// Whether a look needs the motion of camera and things.
+  virtual bool needsMotion() const = 0;
+  /// Looks at a snapshot. May run on any thread while the simulation goes on; reads only its arguments. The scene needs
+  /// motions where needsMotion().
+  virtual void render(const RayScene& scene, const MovingCamera& place, long frame) = 0;
+  /// Lets arrive what has spent its time on the way by the end of this frame. @return false where nothing does
+  virtual bool deliver(long frame) = 0;
+  virtual void archive(StateArchive& archive) = 0;
+
+ protected:
+  double frameLength() const { return frame_length_; }
+  /// Owners of drawables that it does not show.
+  const std::vector<std::uint32_t>& hidden() const { return hidden_; }
+  /// Seconds from the start to the end of a frame.
+  double timeOf(long frame) const { return static_cast<double>(frame + 1) * frame_length_; }
+
+ private:
+  ObjectId robot_, object_;
+  std::string path_;
+  double period_, phase_, frame_length_;  // period and phase in frames
+  int row_ = 0;
+  Pose X_BC_;
+  std::vector<std::uint32_t> hidden_;
+};
+
+}  // namespace murosimf

@@ -1,0 +1,100 @@
+#include "murosimf/modules/camera/oracle_camera.h"
+
+#include <cmath>
+#include <utility>
+
+namespace murosimf {
+
+namespace {
+
+std::vector<Landmark> allBut(ObjectId robot, std::span<const Landmark> landmarks) {
+  std::vector<Landmark> others;
+  for (const Landmark& landmark : landmarks) {
+    if (!(landmark.object.valid() && landmark.object == robot)) others.push_back(landmark);
+  }
+  return others;
+}
+
+std::vector<OracleTarget> targetsOf(const SceneView& view, const std::vector<Landmark>& landmarks) {
+  std::vector<OracleTarget> targets;
+  for (const Landmark& l : landmarks) {
+    OracleTarget& t = targets.emplace_back();
+    t.kind = l.kind, t.a = l.a, t.b = l.b, t.grounded = l.grounded, t.height = l.height;
+    if (!l.object.valid()) continue;
+    const SceneView::Drawn drawn = view.drawnOf(l.object);
+    t.first = l.shape < 0 ? drawn.first : drawn.first + l.shape;
+    t.last = l.shape < 0 ? drawn.last : t.first + 1;
+    t.carrier = drawn.carrier, t.X_SB = drawn.X_SB;
+  }
+  return targets;
+}
+
+}  // namespace
+
+void SightQueue::add(std::vector<Sighting>& sightings, long frame) {
+  if (count_ == looks_.size()) {
+    first_ = (first_ + 1) % looks_.size();
+    --count_;
+  }
+  Look& look = at(count_++);
+  std::swap(look.sightings, sightings);
+  look.frame = frame;
+}
+
+long SightQueue::next(long frame, std::vector<Sighting>& sightings) {
+  if (count_ == 0 || at(0).frame + delay_ > frame) return -1;
+  Look& look = at(0);
+  std::swap(look.sightings, sightings);
+  first_ = (first_ + 1) % looks_.size();
+  --count_;
+  return look.frame;
+}
+
+void SightQueue::archive(StateArchive& archive) {
+  archive(count_);
+  if (archive.loading()) first_ = 0;
+  for (std::size_t i = 0; i < count_; ++i) archive(at(i).sightings, at(i).frame);
+}
+
+OracleCamera::OracleCamera(const World& world, const SceneView& view, ObjectId robot, ObjectId camera,
+                           const CameraModel& lens, std::span<const Landmark> landmarks,
+                           const OracleSettings& settings, std::uint64_t seed, double frame_length)
+    : MountedCamera(world, view, robot, camera, settings.period, settings.phase, frame_length),
+      landmarks_(allBut(robot, landmarks)),
+      settings_(settings),
+      eye_(lens, targetsOf(view, landmarks_), hidden(), settings.errors),
+      distorter_(eye_, settings.errors, seed, path(), settings.period) {
+  const std::size_t room = 2 * landmarks_.size() + 64;  // lines may be seen in parts
+  for (std::size_t k = 0; k < kSightKinds; ++k) {
+    const double delay = settings.errors[k].delay;
+    queues_[k] = SightQueue(std::lround(delay / frame_length),
+                            static_cast<std::size_t>(std::ceil(delay / settings.period)) + 2, room);
+    told_[k].reserve(room);
+    arrived_[k].sightings.reserve(room);
+  }
+}
+
+void OracleCamera::render(const RayScene& scene, const MovingCamera& place, long frame) {
+  const LookMoment moment{static_cast<std::uint64_t>(frame + 1), timeOf(frame), place.X_WC};
+  distorter_.distort(eye_, eye_.look(scene, place.X_WC), moment, told_);
+  for (std::size_t k = 0; k < kSightKinds; ++k) queues_[k].add(told_[k], frame);
+}
+
+bool OracleCamera::deliver(long frame) {
+  arrived_count_ = 0;
+  for (std::size_t k = 0; k < kSightKinds; ++k) {
+    ArrivedSights& arrived = arrived_[arrived_count_];
+    const long taken = queues_[k].next(frame, arrived.sightings);
+    if (taken < 0) continue;
+    arrived.kind = static_cast<SightKind>(k);
+    arrived.time = timeOf(taken);
+    ++arrived_count_;
+  }
+  return arrived_count_ > 0;
+}
+
+void OracleCamera::archive(StateArchive& archive) {
+  for (SightQueue& queue : queues_) archive(queue);
+}
+
+}  // namespace murosimf

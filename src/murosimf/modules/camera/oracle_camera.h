@@ -1,0 +1,86 @@
+#pragma once
+
+/// @file Level of detail "oracle" of a camera: no picture, but what a vision could have found in it.
+///
+/// Percepts come at the camera's period, from the world's truth through the real lens (oracle_eye.h), with errors that
+/// the scenario chooses for each kind (sight_errors.h): behaviour can be tested without, or with any quality of, vision.
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "murosimf/modules/camera/mounted_camera.h"
+#include "murosimf/modules/camera/sight_distorter.h"
+
+namespace murosimf {
+
+struct OracleSettings {
+  double period = 0.05;  ///< between looks [s]
+  double phase = 0;      ///< time of the first look [s]
+  ErrorsByKind errors;
+};
+
+/// Sightings of one kind on their way, look by look. Of more than there is room for, the oldest are lost.
+class SightQueue {
+ public:
+  SightQueue() = default;
+  /// @param delay  [frames] @param most  looks on their way at the same time @param room  sightings of each
+  SightQueue(long delay, std::size_t most, std::size_t room) : delay_(delay), looks_(most) {
+    for (Look& look : looks_) look.sightings.reserve(room);
+  }
+  /// Takes the sightings of a look at the end of a frame, and gives older memory for them.
+  void add(std::vector<Sighting>& sightings, long frame);
+  /// Hands over the oldest look that has arrived by the end of this frame. @return its frame; -1: none has
+  long next(long frame, std::vector<Sighting>& sightings);
+  void archive(StateArchive& archive);
+
+ private:
+  struct Look {
+    std::vector<Sighting> sightings;
+    long frame = 0;
+  };
+  Look& at(std::size_t i) { return looks_[(first_ + i) % looks_.size()]; }
+
+  long delay_ = 0;
+  std::vector<Look> looks_;  // a ring
+  std::size_t first_ = 0, count_ = 0;
+};
+
+/// What has arrived of one kind: nothing in `sightings` where nothing was seen.
+struct ArrivedSights {
+  SightKind kind = SightKind::kBall;
+  double time = 0;  ///< of the look [s]
+  std::vector<Sighting> sightings;
+};
+
+class OracleCamera final : public MountedCamera {
+ public:
+  /// @param landmarks  all there are; the robot itself is left out
+  /// @throws std::invalid_argument as MountedCamera does.
+  OracleCamera(const World& world, const SceneView& view, ObjectId robot, ObjectId camera, const CameraModel& lens,
+               std::span<const Landmark> landmarks, const OracleSettings& settings, std::uint64_t seed,
+               double frame_length);
+
+  /// Those that it knows: Sighting::landmark is an index into them.
+  const std::vector<Landmark>& landmarks() const { return landmarks_; }
+  const CameraModel& model() const { return eye_.camera(); }
+  const OracleSettings& settings() const { return settings_; }
+  bool needsMotion() const override { return false; }
+  void render(const RayScene& scene, const MovingCamera& place, long frame) override;
+  bool deliver(long frame) override;
+  /// What the last deliver() let arrive, at most a look of each kind.
+  std::span<const ArrivedSights> arrived() const { return std::span(arrived_).first(arrived_count_); }
+  void archive(StateArchive& archive) override;
+
+ private:
+  std::vector<Landmark> landmarks_;
+  OracleSettings settings_;
+  OracleEye eye_;
+  SightDistorter distorter_;
+  SightingsByKind told_;
+  std::array<SightQueue, kSightKinds> queues_;
+  std::array<ArrivedSights, kSightKinds> arrived_;
+  std::size_t arrived_count_ = 0;
+};
+
+}  // namespace murosimf
