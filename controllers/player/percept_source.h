@@ -15,8 +15,8 @@ class PerceptSource {
  public:
   virtual ~PerceptSource() = default;
   virtual void start(const client::RobotDescription& robot) = 0;
-  /// Clears `out` and fills it with what the frame's pictures show and its sights tell. Called only for frames that have
-  /// some.
+  /// Clears `out` and fills it with what the frame's pictures show and its sights tell. Called only for frames that
+  /// have some.
   virtual void process(const client::SensorFrame& sensors, const Posture& posture, Percepts& out) = 0;
   virtual void archive(client::StateArchive& archive) = 0;
 };

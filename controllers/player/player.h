@@ -2,9 +2,10 @@
 
 /// @file The reference control software of a soccer robot KS21: from sensor frame to command frame.
 ///
-/// Each control period: posture from the joint sensors, odometry from the stance foot, percepts from the pictures and sights
-/// (if there are any), self-localisation and ball, decision, body and head motion, radio message, report. A robot that lies
-/// or gets up looks at no picture and trusts no odometry; back on its feet it knows that it is somewhere near.
+/// Each control period: posture from the joint sensors, odometry from the stance foot, percepts from the pictures and
+/// sights (if there are any), self-localisation and ball, decision, body and head motion, radio message, report. A
+/// robot that lies or gets up looks at no picture and trusts no odometry; back on its feet it knows that it is
+/// somewhere near.
 
 #include <memory>
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "game/game.h"
+#include "game/game_observers.h"
 #include "murosimf/scene/scenario_reader.h"
 
 namespace murosimf {
@@ -17,6 +18,7 @@ struct OracleGame {
     scene = readScenario("scenarios/game_3v3.toml", more, diagnostics);
     simulation = buildGame(*scene, diagnostics);
     EXPECT_EQ(diagnostics.text(), "");
+    referee = std::make_unique<GameObservers>(*scene, *simulation);
   }
   ~OracleGame() { simulation->control()->finish(); }
   OracleGame(const OracleGame&) = delete;
@@ -25,6 +27,7 @@ struct OracleGame {
   Diagnostics diagnostics;
   std::optional<Scene> scene;
   std::unique_ptr<Simulation> simulation;
+  std::unique_ptr<GameObservers> referee;
 };
 
 /// Checks every sight of a robot against the field.

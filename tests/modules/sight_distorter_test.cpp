@@ -1,4 +1,5 @@
-// What an oracle makes of what could be seen: noise, bias, misses, false percepts and outages have the figures asked for.
+// What an oracle makes of what could be seen: noise, bias, misses, false percepts and outages have the figures asked
+// for.
 
 #include "murosimf/modules/camera/sight_distorter.h"
 
@@ -77,7 +78,7 @@ TEST(SightDistorter, MissesHaveTheirProbability) {
   SightErrors errors;
   errors.miss = 0.3;
   Told told(errors);
-  constexpr double kCount = 20000;
+  constexpr int kCount = 20000;
   double seen = 0;
   for (std::uint64_t i = 0; i < kCount; ++i) seen += static_cast<double>(told.balls(i).size());
   EXPECT_NEAR(seen, 0.7 * kCount, 4 * std::sqrt(kCount * 0.3 * 0.7));

@@ -126,9 +126,9 @@ TEST(BrokenScenarios, AMistakeInDefaultsIsToldOnceForAllRobots) {
 TEST(BrokenScenarios, AMistakeInDefaultsIsToldEvenIfEveryRobotOverridesIt) {
   const auto said = complaints("[teams.red]\nlevel = \"kinematik\"\n" + kTwoRobots, {"robots.red.1.level=kinematic"});
   ASSERT_EQ(said.size(), 1u);
-  EXPECT_EQ(
-      said[0],
-      "2:9: level is text \"kinematik\", expected \"kinematic\", \"fast\", \"full\" or \"oracle\" (did you mean \"kinematic\"?)");
+  EXPECT_EQ(said[0],
+            "2:9: level is text \"kinematik\", expected \"kinematic\", \"fast\", \"full\" or \"oracle\" (did you mean "
+            "\"kinematic\"?)");
 }
 
 TEST(BrokenScenarios, StartPosesDoNotStandAmongDefaults) {

@@ -119,7 +119,8 @@ struct OracleGame {
 TEST(Oracle, ThingsAreToldWhereTheyAre) {
   OracleGame game;
   game.run(400);
-  const Vector3 ball = game.simulation->linked().handle(game.simulation->world().find("ball"), kBasePose).get().translation;
+  const Vector3 ball =
+      game.simulation->linked().handle(game.simulation->world().find("ball"), kBasePose).get().translation;
   int balls = 0, robots = 0;
   for (const int camera : {0, 1}) {
     const Pose X_WC = game.cameraPose(static_cast<std::size_t>(camera));

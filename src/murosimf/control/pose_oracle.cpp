@@ -73,8 +73,8 @@ client::ToldPose PoseOracle::read(const SceneView& view, std::size_t robot, long
   client::ToldPose told;
   told.number = robots_[robot].number;
   told.time = time;
-  told.valid = stream(kMiss).uniform(step) >= e.miss &&
-               !isOutage(stream(kOutage), time, e.outage_rate, e.outage_length);
+  told.valid =
+      stream(kMiss).uniform(step) >= e.miss && !isOutage(stream(kOutage), time, e.outage_rate, e.outage_length);
   told.pose = {side * X_WB.translation.x + e.x_bias + e.position_noise * stream(kX).normal(step),
                side * X_WB.translation.y + e.y_bias + e.position_noise * stream(kY).normal(step),
                wrapAngle(heading + e.heading_bias + e.heading_noise * stream(kHeading).normal(step))};
@@ -92,7 +92,8 @@ std::span<const client::ToldPose> PoseOracle::tell(const SceneView& view, long f
     told_[i] = client::ToldPose{};
     told_[i].number = robots_[i].number;
     const long delay = std::lround(errorsOf(settings_, i).delay / frame_length_);
-    const auto late = std::find_if(waiting.begin(), waiting.end(), [&](const Told& t) { return t.frame + delay > frame; });
+    const auto late =
+        std::find_if(waiting.begin(), waiting.end(), [&](const Told& t) { return t.frame + delay > frame; });
     if (late == waiting.begin()) continue;
     told_[i] = std::prev(late)->pose;
     waiting.erase(waiting.begin(), late);

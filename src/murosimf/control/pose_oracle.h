@@ -21,7 +21,7 @@
 namespace murosimf {
 
 struct PoseErrors {
-  double position_noise = 0, heading_noise = 0;    ///< standard deviations [m], [rad]
+  double position_noise = 0, heading_noise = 0;     ///< standard deviations [m], [rad]
   double x_bias = 0, y_bias = 0, heading_bias = 0;  ///< [m], [m], [rad]
   double miss = 0;                                  ///< probability
   double delay = 0;                                 ///< [s]
@@ -33,8 +33,8 @@ const std::vector<ErrorParameter<PoseErrors>>& poseParameters();
 inline constexpr std::array<std::string_view, 2> kPoseKindNames{"own", "mate"};
 
 struct PoseOracleSettings {
-  double period = 0;  ///< between two poses told [s], rounded to frames; 0: with every sensor frame
-  double phase = 0;   ///< [s]
+  double period = 0;                 ///< between two poses told [s], rounded to frames; 0: with every sensor frame
+  double phase = 0;                  ///< [s]
   std::array<PoseErrors, 2> errors;  ///< of the own pose, of mates' poses
 };
 

@@ -84,9 +84,9 @@ void WorldBuilder::addCameras(const Outfit& outfit, const SceneView& view, Contr
     auto& picture = robot.cameras.emplace_back();
     auto& oracle = robot.oracles.emplace_back();
     if (choice.oracle) {
-      oracle = std::make_unique<OracleCamera>(*world_, view, outfit.id, objects[i],
-                                              *world_->find(objects[i], kCameraModel), landmarks, *choice.oracle, seed,
-                                              frame);
+      oracle =
+          std::make_unique<OracleCamera>(*world_, view, outfit.id, objects[i], *world_->find(objects[i], kCameraModel),
+                                         landmarks, *choice.oracle, seed, frame);
     } else if (outfit.rays[i] != nullptr) {
       picture = std::make_unique<RobotCamera>(*world_, view, outfit.id, objects[i], outfit.rays[i], choice.settings,
                                               seed, frame);

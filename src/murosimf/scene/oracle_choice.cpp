@@ -46,11 +46,11 @@ class ErrorReader {
   void store(const NamedValue& value, const Parameter& parameter, int kind, std::array<Errors, kCount>& errors) const {
     const auto* number = std::get_if<double>(&*value.value);
     if (number == nullptr || !(*number >= parameter.lowest && *number <= parameter.highest)) {
-      const std::string unit = parameter.unit == "1" || parameter.unit.empty() ? "" : fmt::format(" {}", parameter.unit);
-      diagnostics_.error(value.value.where,
-                         fmt::format("{} is {}, expected a number from {} to {}{}", value.name,
-                                     number == nullptr ? "no number" : fmt::format("{}", *number), parameter.lowest,
-                                     parameter.highest, unit));
+      const std::string unit =
+          parameter.unit == "1" || parameter.unit.empty() ? "" : fmt::format(" {}", parameter.unit);
+      diagnostics_.error(value.value.where, fmt::format("{} is {}, expected a number from {} to {}{}", value.name,
+                                                        number == nullptr ? "no number" : fmt::format("{}", *number),
+                                                        parameter.lowest, parameter.highest, unit));
       return;
     }
     for (std::size_t k = 0; k < kCount; ++k)
@@ -66,11 +66,11 @@ class ErrorReader {
       for (const std::string_view kind : kinds_) known.push_back(fmt::format("{}_{}", kind, parameter.name));
     }
     const std::string more = others_.empty() ? "" : fmt::format(", and {}", fmt::join(others_, ", "));
-    diagnostics_.error(value.name_where,
-                       fmt::format("module oracle has no parameter \"{}\"; it knows {}, for one kind with {}_ before "
-                                   "it{}{}",
-                                   value.name, fmt::join(names, ", "), fmt::join(kinds_, "_, "), more,
-                                   didYouMean(value.name, known)));
+    diagnostics_.error(
+        value.name_where,
+        fmt::format("module oracle has no parameter \"{}\"; it knows {}, for one kind with {}_ before "
+                    "it{}{}",
+                    value.name, fmt::join(names, ", "), fmt::join(kinds_, "_, "), more, didYouMean(value.name, known)));
   }
 
   const std::array<std::string_view, kCount>& kinds_;

@@ -50,7 +50,8 @@ void flatten(TextNode& node, const std::string& name, std::vector<TextNode>& out
 void normaliseRobot(TextNode& robot) {
   if (!robot.isTable()) return;
   for (const std::string_view slot : kModuleSlots) nameToTable(robot.find(slot), "module");
-  for (const std::string_view table : {"control", "focus", "localisation"}) nameToTable(robot.find(table), nameKeyOf(table));
+  for (const std::string_view table : {"control", "focus", "localisation"})
+    nameToTable(robot.find(table), nameKeyOf(table));
   namesToTables(robot.find("cameras"));
   namesToTables(robot.find("modules"));
   for (const char* pose : {"pose", "kickoff_own", "kickoff_other"}) poseToTable(robot.find(pose));

@@ -51,10 +51,10 @@ struct CameraSights {
 
 /// Where a robot stands, as somebody who knows tells it: level "oracle" of localisation.
 struct ToldPose {
-  int number = 0;    ///< jersey number
+  int number = 0;      ///< jersey number
   bool valid = false;  ///< false: nothing was told this time
-  double time = 0;   ///< of the truth that was told [s]
-  PlanarPose pose;   ///< in the team's own frame
+  double time = 0;     ///< of the truth that was told [s]
+  PlanarPose pose;     ///< in the team's own frame
 };
 
 enum class GamePhase : std::uint8_t { kReady, kSet, kPlaying, kFinished };

@@ -23,9 +23,9 @@ inline constexpr std::size_t kindIndex(SightKind kind) { return static_cast<std:
 /// Where it is seen is told by a; of a line on the ground, by both ends of what is seen of it.
 struct Landmark {
   SightKind kind = SightKind::kBall;
-  ObjectId object;   ///< whose shapes show it; invalid: paint on the ground
-  int shape = -1;    ///< number of the one that does among those that are drawn; -1: all
-  Vector3 a, b;      ///< a ball's centre, twice; foot and top of a post; ends of a line
+  ObjectId object;        ///< whose shapes show it; invalid: paint on the ground
+  int shape = -1;         ///< number of the one that does among those that are drawn; -1: all
+  Vector3 a, b;           ///< a ball's centre, twice; foot and top of a post; ends of a line
   bool grounded = false;  ///< a: the place on the ground below a, however the object has turned (robots)
   double height = 0;      ///< of a above the ground [m], for what is seen but not there
   std::string mark;       ///< team of a robot, colour of a post or of a pole's top

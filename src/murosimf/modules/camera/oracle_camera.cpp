@@ -57,8 +57,8 @@ void SightQueue::archive(StateArchive& archive) {
 }
 
 OracleCamera::OracleCamera(const World& world, const SceneView& view, ObjectId robot, ObjectId camera,
-                           const CameraModel& lens, std::span<const Landmark> landmarks,
-                           const OracleSettings& settings, std::uint64_t seed, double frame_length)
+                           const CameraModel& lens, std::span<const Landmark> landmarks, const OracleSettings& settings,
+                           std::uint64_t seed, double frame_length)
     : MountedCamera(world, view, robot, camera, settings.period, settings.phase, frame_length),
       landmarks_(allBut(robot, landmarks)),
       settings_(settings),

@@ -3,7 +3,8 @@
 /// @file Level of detail "oracle" of a camera: no picture, but what a vision could have found in it.
 ///
 /// Percepts come at the camera's period, from the world's truth through the real lens (oracle_eye.h), with errors that
-/// the scenario chooses for each kind (sight_errors.h): behaviour can be tested without, or with any quality of, vision.
+/// the scenario chooses for each kind (sight_errors.h): behaviour can be tested without, or with any quality of,
+/// vision.
 
 #include <memory>
 #include <span>

@@ -8,9 +8,9 @@ namespace murosimf {
 
 namespace {
 
-constexpr int kSmallWidth = 160;         // [px]
-constexpr int kAxisPoints = 9;           // of a thing that are tried
-constexpr int kHalvings = 40;            // of a step of a line: 1e-13 m
+constexpr int kSmallWidth = 160;        // [px]
+constexpr int kAxisPoints = 9;          // of a thing that are tried
+constexpr int kHalvings = 40;           // of a step of a line: 1e-13 m
 constexpr double kShortestPart = 0.02;  // of a line that is told [m]
 
 Vector3 between(const Vector3& a, const Vector3& b, double share) { return a + (b - a) * share; }

@@ -26,10 +26,10 @@ inline constexpr double kLeastPixels = 12, kLineStep = 0.1;  // [m]
 /// A landmark, found among the drawables of a scene.
 struct OracleTarget {
   SightKind kind = SightKind::kBall;
-  int first = 0, last = 0;        ///< drawables [first, last) show it; none: paint on the ground
-  int carrier = -1;               ///< drawable whose pose moves it; -1: it stands in W
-  Pose X_SB;                      ///< B in the carrier's frame
-  Vector3 a, b;                   ///< these and what follows: as in Landmark
+  int first = 0, last = 0;  ///< drawables [first, last) show it; none: paint on the ground
+  int carrier = -1;         ///< drawable whose pose moves it; -1: it stands in W
+  Pose X_SB;                ///< B in the carrier's frame
+  Vector3 a, b;             ///< these and what follows: as in Landmark
   bool grounded = false;
   double height = 0;
 };

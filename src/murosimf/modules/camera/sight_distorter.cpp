@@ -90,7 +90,8 @@ void SightDistorter::addFalse(const OracleEye& eye, SightKind kind, const LookMo
     const SinCos<double> bearing = sincos(atan2(ray_W.y, ray_W.x)), along = sincos(direction);
     const Vector3 p_W{moment.X_WC.translation.x + distance * bearing.cos,
                       moment.X_WC.translation.y + distance * bearing.sin, like.height};
-    const Vector3 half = kind == SightKind::kLine ? Vector3{kHalfLine * along.cos, kHalfLine * along.sin, 0} : Vector3{};
+    const Vector3 half =
+        kind == SightKind::kLine ? Vector3{kHalfLine * along.cos, kHalfLine * along.sin, 0} : Vector3{};
     told[kindIndex(kind)].push_back(
         {taken_for, applyInverse(moment.X_WC, p_W - half), applyInverse(moment.X_WC, p_W + half)});
   }

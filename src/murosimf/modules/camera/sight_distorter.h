@@ -2,8 +2,8 @@
 
 /// @file From what a camera could see to what an oracle tells of it: errors, misses, false percepts, outages.
 ///
-/// All random numbers are those of (seed, camera, purpose and thing) at step k, the picture's number: any picture can be
-/// asked for in any order.
+/// All random numbers are those of (seed, camera, purpose and thing) at step k, the picture's number: any picture can
+/// be asked for in any order.
 
 #include <span>
 #include <string_view>

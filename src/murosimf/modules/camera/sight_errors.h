@@ -2,8 +2,8 @@
 
 /// @file How wrong an oracle is: what its percepts of one kind suffer.
 ///
-/// A thing stands at horizontal distance d and bearing phi from the camera's centre, in axes of the world; its height is
-/// never wrong. What is told of picture k, g and u numbers of (seed, camera, thing, k):
+/// A thing stands at horizontal distance d and bearing phi from the camera's centre, in axes of the world; its height
+/// is never wrong. What is told of picture k, g and u numbers of (seed, camera, thing, k):
 ///   phi' = phi + bearing_bias + bearing_noise g_1
 ///   d'   = d max(1/20, 1 + distance_bias + distance_noise g_2)
 /// It is left out where u < miss, where d > range, and in outages. Besides, things are told that are not there: their
@@ -35,7 +35,7 @@ template <class Errors>
 struct ErrorParameter {
   std::string_view name, unit;
   double lowest = 0, highest = 0;
-  double Errors::* value = nullptr;
+  double Errors::*value = nullptr;
   std::string_view meaning;
 };
 
