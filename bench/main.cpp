@@ -61,7 +61,7 @@ int main(int count, char** words) {
   for (const auto& parts :
        {murosimf::bench::peerParts(), murosimf::bench::growthParts(), murosimf::bench::fieldParts(),
         murosimf::bench::fullDynamicsParts(), murosimf::bench::passParts(), murosimf::bench::kinematicParts(),
-        murosimf::bench::collisionParts(), murosimf::bench::cameraParts()}) {
+        murosimf::bench::collisionParts(), murosimf::bench::cameraParts(), murosimf::bench::glParts()}) {
     complete = collect(parts, rows) && complete;
   }
   write(rows);

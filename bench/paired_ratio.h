@@ -56,5 +56,6 @@ std::vector<Part> passParts();
 std::vector<Part> kinematicParts();
 std::vector<Part> collisionParts();
 std::vector<Part> cameraParts();
+std::vector<Part> glParts();  ///< pictures through OpenGL; where that is not built, a line that says so
 
 }  // namespace murosimf::bench

@@ -41,6 +41,12 @@ GlProgram::GlProgram(const char* vertex_shader, const char* fragment_shader) : n
 void GlProgram::set(const char* uniform, const GlMatrix& value) const {
   glUniformMatrix4fv(place(uniform), 1, GL_TRUE, value.data());
 }
+void GlProgram::set(const char* uniform, const std::array<float, 2>& value) const {
+  glUniform2fv(place(uniform), 1, value.data());
+}
+void GlProgram::set(const char* uniform, const std::array<float, 4>& value) const {
+  glUniform4fv(place(uniform), 1, value.data());
+}
 void GlProgram::set(const char* uniform, const std::array<float, 3>& value) const {
   glUniform3fv(place(uniform), 1, value.data());
 }

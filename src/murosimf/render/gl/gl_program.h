@@ -22,7 +22,9 @@ class GlProgram {
   void use() const { glUseProgram(name_); }
   // Of the program in use:
   void set(const char* uniform, const GlMatrix& value) const;
+  void set(const char* uniform, const std::array<float, 2>& value) const;
   void set(const char* uniform, const std::array<float, 3>& value) const;
+  void set(const char* uniform, const std::array<float, 4>& value) const;
   void set(const char* uniform, float value) const;
   void set(const char* uniform, int value) const;
   void set(const char* uniform, unsigned value) const;

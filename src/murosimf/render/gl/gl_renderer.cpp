@@ -40,30 +40,6 @@ GlMatrix shadowFromWorld(const GlLight& light) {
   return seenFrom(X_WL, {{{1 / reach, 0, 0, 0}, {0, 1 / reach, 0, 0}, {0, 0, 0.5 / reach, -1}, {0, 0, 0, 1}}});
 }
 
-void point(GLuint place, GLint numbers, std::size_t stride, std::size_t offset) {
-  glEnableVertexAttribArray(place);
-  glVertexAttribPointer(place, numbers, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
-                        reinterpret_cast<const void*>(offset));  // NOLINT: an offset, as OpenGL wants it
-}
-
-/// Where the instances' numbers stand, for the vertex array that is bound.
-void pointInstances(std::size_t first) {
-  constexpr std::size_t kStride = sizeof(MeshInstance);
-  const std::size_t begin = first * kStride;
-  for (GLuint row = 0; row < 3; ++row) point(2 + row, 4, kStride, begin + offsetof(MeshInstance, X_WM) + 16U * row);
-  point(5, 4, kStride, begin + offsetof(MeshInstance, tint));
-  glEnableVertexAttribArray(6);
-  glVertexAttribIPointer(6, 1, GL_UNSIGNED_INT, kStride,
-                         reinterpret_cast<const void*>(begin + offsetof(MeshInstance, id)));  // NOLINT
-  for (GLuint place = 2; place <= 6; ++place) glVertexAttribDivisor(place, 1);
-}
-
-template <class T>
-void fill(GLenum kind, const GlBuffer& buffer, const std::vector<T>& values, GLenum usage) {
-  glBindBuffer(kind, buffer.name());
-  glBufferData(kind, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(), usage);
-}
-
 }  // namespace
 
 GlMatrix clipFromWorld(const GlView& view) {
@@ -100,39 +76,14 @@ GlRenderer::GlRenderer()
   glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
   glBindVertexArray(flat_array_.name());
   glBindBuffer(GL_ARRAY_BUFFER, flat_vertices_.name());
-  point(0, 3, sizeof(LineVertex), offsetof(LineVertex, p_W));
-  point(1, 4, sizeof(LineVertex), offsetof(LineVertex, tint));
-}
-
-void GlRenderer::upload(const MeshLibrary& meshes) {
-  for (int number = static_cast<int>(meshes_.size()); number < meshes.size(); ++number) {
-    const Mesh& mesh = meshes[number];
-    GpuMesh& there = meshes_.emplace_back();
-    there.count = static_cast<GLsizei>(mesh.indices.size());
-    glBindVertexArray(there.array.name());
-    fill(GL_ARRAY_BUFFER, there.vertices, mesh.vertices, GL_STATIC_DRAW);
-    point(0, 3, sizeof(MeshVertex), offsetof(MeshVertex, position));
-    point(1, 3, sizeof(MeshVertex), offsetof(MeshVertex, normal));
-    fill(GL_ELEMENT_ARRAY_BUFFER, there.indices, mesh.indices, GL_STATIC_DRAW);
-  }
-}
-
-void GlRenderer::drawInstances(const Instances& instances) {
-  for (std::size_t number = 0; number < instances.size(); ++number) {
-    if (instances[number].empty()) continue;
-    const GpuMesh& mesh = meshes_[number];
-    glBindVertexArray(mesh.array.name());
-    fill(GL_ARRAY_BUFFER, instances_, instances[number], GL_STREAM_DRAW);
-    pointInstances(0);
-    glDrawElementsInstanced(GL_TRIANGLES, mesh.count, GL_UNSIGNED_INT, nullptr,
-                            static_cast<GLsizei>(instances[number].size()));
-  }
+  pointFloats(0, 3, sizeof(LineVertex), offsetof(LineVertex, p_W));
+  pointFloats(1, 4, sizeof(LineVertex), offsetof(LineVertex, tint));
 }
 
 void GlRenderer::drawFlat(const std::vector<LineVertex>& vertices, GLenum kind) {
   if (vertices.empty()) return;
   glBindVertexArray(flat_array_.name());
-  fill(GL_ARRAY_BUFFER, flat_vertices_, vertices, GL_STREAM_DRAW);
+  fillBuffer(GL_ARRAY_BUFFER, flat_vertices_, vertices, GL_STREAM_DRAW);
   glDrawArrays(kind, 0, static_cast<GLsizei>(vertices.size()));
 }
 
@@ -156,14 +107,14 @@ void GlRenderer::drawShadowMap(const DrawList& list, const GlMatrix& shadow_from
   glPolygonOffset(2, 4);
   depth_meshes_.use();
   depth_meshes_.set("clip_from_world", shadow_from_world);
-  drawInstances(list.solid());
+  meshes_.draw(list.solid());
   glDisable(GL_POLYGON_OFFSET_FILL);
   glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
   glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
 }
 
 void GlRenderer::drawColours(const DrawList& list, const GlView& view, const GlLight& light) {
-  upload(list.meshes());
+  meshes_.upload(list.meshes());
   glEnable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
@@ -189,19 +140,19 @@ void GlRenderer::drawColours(const DrawList& list, const GlView& view, const GlL
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   drawPaint(list);
   lit_meshes_.use();
-  drawInstances(list.solid());
+  meshes_.draw(list.solid());
   lit_flat_.use();
   lit_flat_.set("ambient", 1.0F);
   drawFlat(list.lines(), GL_LINES);
   lit_meshes_.use();
   glDepthMask(GL_FALSE);
-  drawInstances(list.clearTinted());
+  meshes_.draw(list.clearTinted());
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
 }
 
 void GlRenderer::drawLabels(const DrawList& list, const GlView& view, const GlLabelTarget& target, std::uint32_t sky) {
-  upload(list.meshes());
+  meshes_.upload(list.meshes());
   target.bind();
   glEnable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
@@ -215,8 +166,8 @@ void GlRenderer::drawLabels(const DrawList& list, const GlView& view, const GlLa
   drawPaint(list);
   label_meshes_.use();
   label_meshes_.set("clip_from_world", clip);
-  drawInstances(list.solid());
-  drawInstances(list.clearTinted());
+  meshes_.draw(list.solid());
+  meshes_.draw(list.clearTinted());
 }
 
 }  // namespace murosimf

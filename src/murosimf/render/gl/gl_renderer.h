@@ -4,11 +4,10 @@
 ///
 /// Cost: one call a mesh, whatever the number of its instances; shadows draw all of them twice.
 
-#include <deque>
-
 #include "murosimf/algorithms/camera_model.h"
 #include "murosimf/math/transform.h"
 #include "murosimf/render/draw_list.h"
+#include "murosimf/render/gl/gl_meshes.h"
 #include "murosimf/render/gl/gl_object.h"
 #include "murosimf/render/gl/gl_program.h"
 #include "murosimf/render/gl/gl_target.h"
@@ -46,21 +45,13 @@ class GlRenderer {
   void drawLabels(const DrawList& list, const GlView& view, const GlLabelTarget& target, std::uint32_t sky);
 
  private:
-  struct GpuMesh {
-    GlVertexArray array;
-    GlBuffer vertices, indices;
-    GLsizei count = 0;
-  };
-  using Instances = std::vector<std::vector<MeshInstance>>;
-  void upload(const MeshLibrary& meshes);
-  void drawInstances(const Instances& instances);
   void drawFlat(const std::vector<LineVertex>& vertices, GLenum kind);
   void drawPaint(const DrawList& list);
   void drawShadowMap(const DrawList& list, const GlMatrix& shadow_from_world);
 
   GlProgram lit_meshes_, lit_flat_, label_meshes_, label_flat_, depth_meshes_;
-  std::deque<GpuMesh> meshes_;
-  GlBuffer instances_, flat_vertices_;
+  GlMeshes meshes_;
+  GlBuffer flat_vertices_;
   GlVertexArray flat_array_;
   GlFramebuffer shadow_target_;
   GlTexture shadow_map_;

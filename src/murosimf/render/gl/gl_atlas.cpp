@@ -1,0 +1,134 @@
+#include "murosimf/render/gl/gl_atlas.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+
+namespace murosimf {
+
+namespace {
+
+/// How a kind of picture is kept, and how it comes back.
+struct Format {
+  GLenum kept, order, number;
+  GLsizeiptr bytes;  // a pixel
+};
+constexpr std::array<Format, 3> kFormats{{{GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4},
+                                          {GL_R16UI, GL_RED_INTEGER, GL_UNSIGNED_SHORT, 2},
+                                          {GL_R32F, GL_RED, GL_FLOAT, 4}}};
+constexpr GLuint64 kPatience = 10'000'000'000;  // [ns]
+
+void attach(const GlRenderbuffer& buffer, GLenum place, GLenum format, int width, int height) {
+  glBindRenderbuffer(GL_RENDERBUFFER, buffer.name());
+  glRenderbufferStorage(GL_RENDERBUFFER, format, width, height);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, buffer.name());
+}
+
+/// Four bytes a pixel into three. A pixel is written with one byte too many, which the next one overwrites.
+void copyColours(const std::uint8_t* from, std::size_t pixels, std::uint8_t* to) {
+  for (std::size_t i = 0; i + 1 < pixels; ++i) std::memcpy(to + 3 * i, from + 4 * i, 4);
+  std::memcpy(to + 3 * (pixels - 1), from + 4 * (pixels - 1), 3);
+}
+
+}  // namespace
+
+GlAtlas::GlAtlas(std::vector<PictureSize> sizes) : sizes_(std::move(sizes)) {
+  for (const PictureSize& size : sizes_) {
+    first_rows_.push_back(height_);
+    width_ = std::max(width_, size.width), height_ += size.height;
+  }
+  GLint most = 0;
+  glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
+  if (sizes_.empty() || width_ > most || height_ > most)
+    throw std::invalid_argument(fmt::format("{} pictures, {} x {} pixels together, expected some and at most {} x {}",
+                                            sizes_.size(), width_, height_, most, most));
+  glBindFramebuffer(GL_FRAMEBUFFER, drawn_.name());
+  std::array<GLenum, kKinds> places{};
+  for (std::size_t kind = 0; kind < kKinds; ++kind) {
+    places[kind] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(kind);
+    attach(images_[kind], places[kind], kFormats[kind].kept, width_, height_);
+  }
+  attach(depth_, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, width_, height_);
+  glDrawBuffers(kKinds, places.data());
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    throw std::runtime_error("OpenGL cannot draw colours, labels and depths at once");
+  for (Transfer& t : transfers_)
+    for (std::size_t kind = 0; kind < kKinds; ++kind) {
+      glBindBuffer(GL_PIXEL_PACK_BUFFER, t.buffers[kind].name());
+      glBufferData(GL_PIXEL_PACK_BUFFER, kFormats[kind].bytes * width_ * height_, nullptr, GL_STREAM_READ);
+    }
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+}
+
+GlAtlas::~GlAtlas() {
+  for (const Transfer& t : transfers_)
+    if (t.fence != nullptr) glDeleteSync(t.fence);
+}
+
+void GlAtlas::clear() {
+  glBindFramebuffer(GL_FRAMEBUFFER, drawn_.name());
+  glDepthMask(GL_TRUE);
+  glClear(GL_DEPTH_BUFFER_BIT);  // the field covers everything else
+}
+
+int GlAtlas::bind(std::size_t picture) {
+  glBindFramebuffer(GL_FRAMEBUFFER, drawn_.name());
+  glViewport(0, first_rows_[picture], sizes_[picture].width, sizes_[picture].height);
+  return first_rows_[picture];
+}
+
+void GlAtlas::beginReading() {
+  if (underWay() == kUnderWay) throw std::logic_error("two transfers are under way already");
+  Transfer& t = transfer(begun_++);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.name());
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  for (std::size_t kind = 0; kind < kKinds; ++kind) {
+    glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(kind));
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, t.buffers[kind].name());
+    glReadPixels(0, 0, width_, height_, kFormats[kind].order, kFormats[kind].number, nullptr);
+  }
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  t.fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  glFlush();
+}
+
+void GlAtlas::copy(std::size_t kind, const void* from, std::span<Picture* const> pictures) const {
+  const auto bytes = static_cast<std::size_t>(kFormats[kind].bytes), stride = bytes * static_cast<std::size_t>(width_);
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    Picture* const p = pictures[i];
+    if (p == nullptr) continue;
+    const std::uint8_t* row =
+        static_cast<const std::uint8_t*>(from) + stride * static_cast<std::size_t>(first_rows_[i]);
+    const auto width = static_cast<std::size_t>(p->width);
+    for (std::size_t v = 0; v < static_cast<std::size_t>(p->height); ++v, row += stride) {
+      if (kind == 0) copyColours(row, width, p->rgb.data() + 3 * v * width);
+      if (kind == 1 && p->has_label) std::memcpy(p->label.data() + v * width, row, bytes * width);
+      if (kind == 2 && p->has_depth) std::memcpy(p->depth.data() + v * width, row, bytes * width);
+    }
+  }
+}
+
+void GlAtlas::finishReading(std::span<Picture* const> pictures) {
+  if (underWay() == 0) throw std::logic_error("no transfer is under way");
+  if (pictures.size() != sizes_.size()) throw std::logic_error("expected as many pictures as the atlas holds");
+  Transfer& t = transfer(finished_++);
+  const GLenum state = glClientWaitSync(t.fence, GL_SYNC_FLUSH_COMMANDS_BIT, kPatience);
+  glDeleteSync(t.fence);
+  t.fence = nullptr;
+  if (state == GL_TIMEOUT_EXPIRED || state == GL_WAIT_FAILED) throw std::runtime_error("OpenGL draws no picture");
+  for (std::size_t i = 0; i < pictures.size(); ++i)
+    if (pictures[i] != nullptr) pictures[i]->resize(sizes_[i].width, sizes_[i].height);
+  for (std::size_t kind = 0; kind < kKinds; ++kind) {
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, t.buffers[kind].name());
+    const void* const there =
+        glMapBufferRange(GL_PIXEL_PACK_BUFFER, 0, kFormats[kind].bytes * width_ * height_, GL_MAP_READ_BIT);
+    if (there == nullptr) throw std::runtime_error("OpenGL gives no picture back");
+    copy(kind, there, pictures);
+    glUnmapBuffer(GL_PIXEL_PACK_BUFFER);
+  }
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+}
+
+}  // namespace murosimf
