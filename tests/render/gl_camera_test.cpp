@@ -57,7 +57,6 @@ class GlCamera : public testing::Test {
     GlCameraRenderer renderer(scene.ground);
     const GlLens lens(rays);
     GlAtlas atlas({{rays.camera().width, rays.camera().height}});
-    atlas.clear();
     renderer.draw(lens, scene, X_WC, hidden, atlas, 0, marks_lines);
     atlas.beginReading();
     Picture picture;
@@ -173,7 +172,6 @@ TEST_F(GlCamera, drawsInAnAtlasWhatItDrawsOneByOneWhileTheNextAreDrawn) {
     }
   };
   for (int moment = 0; moment < 4; ++moment) {
-    atlas.clear();
     for (int i = 0; i < 3; ++i)
       renderer.draw(i == 1 ? small_lens : large_lens, scene, poseOf(moment, i), {}, atlas, static_cast<std::size_t>(i));
     atlas.beginReading();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <stdexcept>
 
@@ -67,16 +68,21 @@ GlAtlas::~GlAtlas() {
     if (t.fence != nullptr) glDeleteSync(t.fence);
 }
 
-void GlAtlas::clear() {
+int GlAtlas::bind(std::size_t picture, const Colour& sky) {
+  const int first = first_rows_[picture], width = sizes_[picture].width, height = sizes_[picture].height;
   glBindFramebuffer(GL_FRAMEBUFFER, drawn_.name());
+  glViewport(0, first, width, height);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(0, first, width, height);
+  const GLfloat colour[] = {sky.red, sky.green, sky.blue, 1}, far[] = {INFINITY, 0, 0, 0}, back = 1;
+  const GLuint label[] = {kSkyLabel, 0, 0, 0};
   glDepthMask(GL_TRUE);
-  glClear(GL_DEPTH_BUFFER_BIT);  // the field covers everything else
-}
-
-int GlAtlas::bind(std::size_t picture) {
-  glBindFramebuffer(GL_FRAMEBUFFER, drawn_.name());
-  glViewport(0, first_rows_[picture], sizes_[picture].width, sizes_[picture].height);
-  return first_rows_[picture];
+  glClearBufferfv(GL_COLOR, 0, colour);
+  glClearBufferuiv(GL_COLOR, 1, label);
+  glClearBufferfv(GL_COLOR, 2, far);
+  glClearBufferfv(GL_DEPTH, 0, &back);
+  glDisable(GL_SCISSOR_TEST);
+  return first;
 }
 
 void GlAtlas::beginReading() {

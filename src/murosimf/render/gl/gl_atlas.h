@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "murosimf/algorithms/picture.h"
+#include "murosimf/algorithms/shape.h"
 #include "murosimf/render/gl/gl_object.h"
 
 namespace murosimf {
@@ -30,10 +31,8 @@ class GlAtlas {
   GlAtlas(const GlAtlas&) = delete;
   GlAtlas& operator=(const GlAtlas&) = delete;
 
-  /// Begins new pictures.
-  void clear();
-  /// Drawing goes into this picture from now on. @returns the row at which it begins
-  int bind(std::size_t picture);
+  /// Makes this picture all sky; drawing goes into it from now on. @returns the row at which it begins
+  int bind(std::size_t picture, const Colour& sky);
   /// Lets what has been drawn come back. @throws std::logic_error when two transfers are under way already
   void beginReading();
   /// Waits for the oldest transfer and fills pictures in the order of the sizes; of a null, nothing. Colour is always

@@ -38,8 +38,13 @@ std::vector<MeshInstance>& listOf(std::vector<std::vector<MeshInstance>>& lists,
 
 GlCameraRenderer::GlCameraRenderer(const PaintedGround& ground)
     : lens_program_(kLensVertexShader, kLensFragmentShader),
-      field_program_(kFieldVertexShader, kFieldFragmentShader),
-      field_(ground) {}
+      bare_program_(kFieldVertexShader, kBareFragmentShader),
+      paint_program_(kFieldVertexShader, kPaintFragmentShader),
+      field_(ground) {
+  glBindVertexArray(tile_array_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, tile_vertices_.name());
+  pointFloats(0, 3, sizeof(TileVertex), 0);
+}
 
 void GlCameraRenderer::add(const Drawable& drawable, int fineness) {
   MeshInstance instance{};
@@ -91,36 +96,50 @@ void GlCameraRenderer::drawMeshes(const GlLens& lens, const RayScene& scene, con
   glDisable(GL_CLIP_DISTANCE0);
 }
 
-void GlCameraRenderer::drawField(const GlLens& lens, const RayScene& scene, const Pose& X_WC, int first_row,
-                                 bool marks_lines) {
+void GlCameraRenderer::setField(const GlProgram& program, const RayScene& scene, int first_row) const {
   const PaintedGround& ground = scene.ground;
   const double cosine = max(0.0, normalized(scene.light_W).z);
   const double light = ground.brightness * (scene.ambient + (1 - scene.ambient) * cosine);
+  program.use();
+  program.set("rays", 0);
+  program.set("corner", std::array<float, 3>{0, static_cast<float>(first_row), 0});
+  program.set("carpet", threeOf(ground.carpet, light));
+  program.set("surroundings", threeOf(ground.surroundings, light));
+  program.set("paint", threeOf(ground.paint, light));
+}
+
+void GlCameraRenderer::drawTiles(const std::vector<TileVertex>& tiles) {
+  if (tiles.empty()) return;
+  glBindVertexArray(tile_array_.name());
+  fillBuffer(GL_ARRAY_BUFFER, tile_vertices_, tiles, GL_STREAM_DRAW);
+  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(tiles.size()));
+}
+
+void GlCameraRenderer::drawField(const GlLens& lens, const RayScene& scene, const Pose& X_WC, int first_row,
+                                 bool marks_lines) {
   Pose eye = X_WC;
   eye.translation.z = max(eye.translation.z, 1e-3);
-  const GlProgram& p = field_program_;
-  p.use();
-  field_.set(p, eye.translation);
+  sortTiles(lens.table(), scene.ground, field_.marked(), eye, tiles_);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, lens.rays());
-  p.set("rays", 0);
-  p.set("corner", std::array<float, 3>{0, static_cast<float>(first_row), 0});
-  p.set("world_from_camera", matrixOf(eye));
-  p.set("carpet", threeOf(ground.carpet, light));
-  p.set("surroundings", threeOf(ground.surroundings, light));
-  p.set("paint", threeOf(ground.paint, light));
-  p.set("sky", threeOf(scene.sky));
-  p.set("line_label", marks_lines ? int{kLineLabel} : -1);
-  p.set("sky_label", int{kSkyLabel});
-  glBindVertexArray(nothing_.name());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  setField(bare_program_, scene, first_row);
+  const Rotation3& R = eye.rotation;
+  bare_program_.set("inverse_depth", threeOf(Vector3{R.x.z, R.y.z, R.z.z} * (-1 / eye.translation.z)));
+  drawTiles(tiles_.bare);
+  setField(paint_program_, scene, first_row);
+  field_.set(paint_program_, eye.translation);
+  paint_program_.set("world_from_camera", matrixOf(eye));
+  paint_program_.set("sky", threeOf(scene.sky));
+  paint_program_.set("line_label", marks_lines ? int{kLineLabel} : -1);
+  paint_program_.set("sky_label", int{kSkyLabel});
+  drawTiles(tiles_.painted);
 }
 
 void GlCameraRenderer::draw(const GlLens& lens, const RayScene& scene, const Pose& X_WC,
                             std::span<const std::uint32_t> hidden, GlAtlas& atlas, std::size_t picture,
                             bool marks_lines) {
   gather(lens, scene, X_WC, hidden);
-  const int first_row = atlas.bind(picture);
+  const int first_row = atlas.bind(picture, scene.sky);
   glEnable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);

@@ -82,16 +82,36 @@ void main() {
 }
 )";
 
-/// One triangle over all, behind everything.
+/// Tiles of the picture, behind everything.
 inline constexpr const char* kFieldVertexShader = R"(#version 330 core
+layout(location = 0) in vec3 tile;
+flat out float on_carpet;
 void main() {
-  vec2 place = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
-  gl_Position = vec4(place, 1.0, 1.0);
+  gl_Position = vec4(tile.xy, 1.0, 1.0);
+  on_carpet = tile.z;
+}
+)";
+
+/// Ground without paint.
+inline constexpr const char* kBareFragmentShader = R"(#version 330 core
+flat in float on_carpet;
+uniform sampler2D rays;
+uniform vec3 corner;
+uniform vec3 inverse_depth;  // of slopes and 1
+uniform vec3 carpet, surroundings;
+layout(location = 0) out vec4 shown;
+layout(location = 1) out uint label;
+layout(location = 2) out float depth;
+void main() {
+  vec2 slopes = texelFetch(rays, ivec2(gl_FragCoord.xy - corner.xy), 0).xy;
+  shown = vec4(on_carpet > 0.5 ? carpet : surroundings, 1.0);
+  label = 0u;
+  depth = 1.0 / dot(inverse_depth, vec3(slopes, 1.0));
 }
 )";
 
 /// Ground, paint and sky, by the formulas of cast_paint.h.
-inline constexpr const char* kFieldFragmentShader = R"(#version 330 core
+inline constexpr const char* kPaintFragmentShader = R"(#version 330 core
 uniform sampler2D rays;
 uniform vec3 corner;          // of the viewport
 uniform mat4 world_from_camera;

@@ -52,6 +52,19 @@ bool isNear(const Mark& m, double x, double y, double reach) {
 
 double reachOf(const Mark& m) { return m.half_length + m.half_width + m.radius; }
 
+/// cells: two numbers each, the second how many marks are near.
+MarkedCells sumOf(const std::vector<std::uint32_t>& cells, MarkedCells of) {
+  const auto columns = static_cast<std::size_t>(of.columns), rows = static_cast<std::size_t>(of.rows);
+  of.sums.assign((columns + 1) * (rows + 1), 0);
+  for (std::size_t row = 0; row < rows; ++row)
+    for (std::size_t column = 0, along = 0; column < columns; ++column) {
+      along += cells[2 * (row * columns + column) + 1] > 0 ? 1U : 0U;
+      of.sums[(row + 1) * (columns + 1) + column + 1] =
+          of.sums[row * (columns + 1) + column + 1] + static_cast<int>(along);
+    }
+  return of;
+}
+
 void holdTexels(GLint unit, GLenum kind, const GlTexture& texture) {
   glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
   glBindTexture(kind, texture.name());
@@ -83,6 +96,7 @@ GlField::GlField(const PaintedGround& ground) : ground_(ground) {
         if (isNear(m, low_x + (column + 0.5) * kCell, low_y + (row + 0.5) * kCell, reach)) all.push_back(m);
       cells.push_back(first), cells.push_back(static_cast<std::uint32_t>(all.size()) - first);
     }
+  marked_ = sumOf(cells, {low_x, low_y, kCell, columns, rows, {}});
   if (all.empty()) all.push_back({});  // a buffer must not be empty
   fillBuffer(GL_TEXTURE_BUFFER, values_, all, GL_STATIC_DRAW);
   glBindTexture(GL_TEXTURE_BUFFER, marks_.name());

@@ -6,6 +6,7 @@
 /// A pixel whose footprint on the ground is larger than what the cells allow for looks at all.
 
 #include "murosimf/algorithms/ray_scene.h"
+#include "murosimf/render/gl/field_tiles.h"
 #include "murosimf/render/gl/gl_object.h"
 #include "murosimf/render/gl/gl_program.h"
 
@@ -17,10 +18,13 @@ class GlField {
   explicit GlField(const PaintedGround& ground);
   /// Gives the program in use all but colours; takes texture units 1 and 2.
   void set(const GlProgram& program, const Vector3& eye_W) const;
+  /// What has paint within a footprint of the cells' allowance.
+  const MarkedCells& marked() const { return marked_; }
 
  private:
   PaintedGround ground_;
   std::array<float, 4> grid_{};
+  MarkedCells marked_;
   GlBuffer values_;
   GlTexture marks_, cells_;
 };

@@ -45,26 +45,25 @@ std::array<float, 3> threeOf(double a, double b, double c) {
 
 }  // namespace
 
-GlLens::GlLens(const RayTable& rays)
-    : camera_(rays.camera()), seen_(rectangleOf(rays)), density_(largestDensity(rays)) {
+GlLens::GlLens(const RayTable& rays) : table_(rays), seen_(rectangleOf(rays)), density_(largestDensity(rays)) {
   std::vector<float> slopes;
-  for (int v = 0; v < camera_.height; ++v)
-    for (int u = 0; u < camera_.width; ++u) {
+  for (int v = 0; v < camera().height; ++v)
+    for (int u = 0; u < camera().width; ++u) {
       const RaySlopes ray = rays.ray(u, v);
       slopes.push_back(static_cast<float>(ray.x)), slopes.push_back(static_cast<float>(ray.y));
       linear_from_ = std::max(linear_from_, std::hypot(ray.x, ray.y));
     }
-  linear_from_ = std::max(std::min(linear_from_, camera_.linear_from), 1e-3);
+  linear_from_ = std::max(std::min(linear_from_, camera().linear_from), 1e-3);
   glBindTexture(GL_TEXTURE_2D, rays_.name());
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32F, camera_.width, camera_.height, 0, GL_RG, GL_FLOAT, slopes.data());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32F, camera().width, camera().height, 0, GL_RG, GL_FLOAT, slopes.data());
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
 void GlLens::set(const GlProgram& program) const {
-  const auto& k = camera_.kc;
-  const double a = linear_from_, w = camera_.width, h = camera_.height;
-  const bool fisheye = camera_.kind == LensKind::kFisheye;
+  const auto& k = camera().kc;
+  const double a = linear_from_, w = camera().width, h = camera().height;
+  const bool fisheye = camera().kind == LensKind::kFisheye;
   program.set("fisheye", fisheye ? 1 : 0);
   if (fisheye) {
     program.set("numerator", std::array<float, 4>{static_cast<float>(k[0]), static_cast<float>(k[1]),
@@ -74,10 +73,10 @@ void GlLens::set(const GlProgram& program) const {
                 std::array<float, 4>{static_cast<float>(k[0]), static_cast<float>(k[1]), static_cast<float>(k[4]), 0});
     program.set("denominator", threeOf(k[5], k[6], k[7]));
   }
-  const CurvePoint curve = curveAt(camera_, a);
+  const CurvePoint curve = curveAt(camera(), a);
   program.set("curve_beyond", threeOf(curve.value - curve.slope * a, curve.slope, a));
   const auto prism = [&](const char* name, double first, double second) {
-    const OfSquare at = thinPrism(camera_, first, second, a * a);
+    const OfSquare at = thinPrism(camera(), first, second, a * a);
     const double slope = 2 * a * at.derivative;
     program.set(name, std::array<float, 4>{static_cast<float>(first), static_cast<float>(second),
                                            static_cast<float>(at.value - slope * a), static_cast<float>(slope)});
@@ -86,8 +85,9 @@ void GlLens::set(const GlProgram& program) const {
   prism("prism_y", fisheye ? 0 : k[10], fisheye ? 0 : k[11]);
   program.set("tangential", threeOf(fisheye ? 0 : k[2], fisheye ? 0 : k[3], 0));
   // Places in the picture as OpenGL has them, times Z: from -1 to 1, row 0 first.
-  program.set("clip_x", threeOf(2 * camera_.fx / w, 2 * camera_.fx * camera_.skew / w, (2 * camera_.cx + 1) / w - 1));
-  program.set("clip_y", threeOf(0, 2 * camera_.fy / h, (2 * camera_.cy + 1) / h - 1));
+  program.set("clip_x",
+              threeOf(2 * camera().fx / w, 2 * camera().fx * camera().skew / w, (2 * camera().cx + 1) / w - 1));
+  program.set("clip_y", threeOf(0, 2 * camera().fy / h, (2 * camera().cy + 1) / h - 1));
 }
 
 bool GlLens::misses(const Vector3& p, double radius) const {

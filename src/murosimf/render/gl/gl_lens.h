@@ -18,10 +18,11 @@ namespace murosimf {
 
 class GlLens {
  public:
-  /// The context must be current. Cost: as many bytes as 8 a pixel go to the card.
+  /// The context must be current; `rays` must outlive this. Cost: 8 bytes a pixel go to the card.
   explicit GlLens(const RayTable& rays);
 
-  const CameraModel& camera() const { return camera_; }
+  const CameraModel& camera() const { return table_.camera(); }
+  const RayTable& table() const { return table_; }
   /// Slopes of the rays of all pixels, row 0 first.
   GLuint rays() const { return rays_.name(); }
   /// Gives the program in use the equations.
@@ -32,7 +33,7 @@ class GlLens {
   bool misses(const Vector3& centre_C, double radius) const;
 
  private:
-  CameraModel camera_;
+  const RayTable& table_;
   GlTexture rays_;
   SlopeRectangle seen_;
   double linear_from_ = 0, density_ = 0;
