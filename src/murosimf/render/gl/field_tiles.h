@@ -15,7 +15,7 @@
 
 namespace murosimf {
 
-/// Squares of the ground with something painted on or near them.
+/// Squares of the ground on which something is painted.
 struct MarkedCells {
   double low_x = 0, low_y = 0, edge = 1;  ///< [m]
   int columns = 0, rows = 0;
@@ -34,7 +34,7 @@ struct FieldTiles {
   std::vector<TileVertex> bare, painted;
 };
 
-/// Overwrites tiles. marked: with the ground's paint and as much around it as a pixel's footprint may reach.
+/// Overwrites tiles. marked: of this ground.
 void sortTiles(const RayTable& rays, const PaintedGround& ground, const MarkedCells& marked, const Pose& X_WC,
                FieldTiles& tiles);
 

@@ -10,7 +10,8 @@ namespace murosimf {
 
 namespace {
 
-constexpr double kCell = 0.25, kFootprint = 0.15;  // [m]
+constexpr double kCell = 0.1, kFootprint = 0.15;  // [m]
+constexpr double kFineCell = 0.04;                // of what decides about tiles [m]
 
 /// A line or a circle as the shader reads it.
 struct Mark {
@@ -52,13 +53,17 @@ bool isNear(const Mark& m, double x, double y, double reach) {
 
 double reachOf(const Mark& m) { return m.half_length + m.half_width + m.radius; }
 
-/// cells: two numbers each, the second how many marks are near.
-MarkedCells sumOf(const std::vector<std::uint32_t>& cells, MarkedCells of) {
+/// Cells over the rectangle that a mark comes into, without any footprint: tiles reach for that themselves.
+MarkedCells markedCells(const std::vector<Mark>& marks, MarkedCells of) {
   const auto columns = static_cast<std::size_t>(of.columns), rows = static_cast<std::size_t>(of.rows);
   of.sums.assign((columns + 1) * (rows + 1), 0);
   for (std::size_t row = 0; row < rows; ++row)
     for (std::size_t column = 0, along = 0; column < columns; ++column) {
-      along += cells[2 * (row * columns + column) + 1] > 0 ? 1U : 0U;
+      const double x = of.low_x + (static_cast<double>(column) + 0.5) * of.edge,
+                   y = of.low_y + (static_cast<double>(row) + 0.5) * of.edge;
+      const bool any = std::any_of(marks.begin(), marks.end(),
+                                   [&](const Mark& m) { return isNear(m, x, y, 0.5 * std::sqrt(2.0) * of.edge); });
+      along += any ? 1U : 0U;
       of.sums[(row + 1) * (columns + 1) + column + 1] =
           of.sums[row * (columns + 1) + column + 1] + static_cast<int>(along);
     }
@@ -96,7 +101,8 @@ GlField::GlField(const PaintedGround& ground) : ground_(ground) {
         if (isNear(m, low_x + (column + 0.5) * kCell, low_y + (row + 0.5) * kCell, reach)) all.push_back(m);
       cells.push_back(first), cells.push_back(static_cast<std::uint32_t>(all.size()) - first);
     }
-  marked_ = sumOf(cells, {low_x, low_y, kCell, columns, rows, {}});
+  const auto fineCells = [](double size) { return static_cast<int>(std::ceil(size / kFineCell)); };
+  marked_ = markedCells(marks, {low_x, low_y, kFineCell, fineCells(columns * kCell), fineCells(rows * kCell), {}});
   if (all.empty()) all.push_back({});  // a buffer must not be empty
   fillBuffer(GL_TEXTURE_BUFFER, values_, all, GL_STATIC_DRAW);
   glBindTexture(GL_TEXTURE_BUFFER, marks_.name());

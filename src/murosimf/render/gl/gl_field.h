@@ -18,7 +18,7 @@ class GlField {
   explicit GlField(const PaintedGround& ground);
   /// Gives the program in use all but colours; takes texture units 1 and 2.
   void set(const GlProgram& program, const Vector3& eye_W) const;
-  /// What has paint within a footprint of the cells' allowance.
+  /// For sortTiles().
   const MarkedCells& marked() const { return marked_; }
 
  private:
