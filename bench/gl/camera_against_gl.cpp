@@ -37,6 +37,7 @@ class GlFrames {
     for (Picture& p : pictures_) wanted_.push_back(&p);
   }
   void frame() {
+    atlas_.clear(views_.scene.sky);
     for (std::size_t i = 0; i < pictures_.size(); ++i) {
       renderer_.draw(lens_, views_.scene, views_.X_WC[next_], views_.hidden[next_], atlas_, i);
       next_ = (next_ + 1) % views_.X_WC.size();

@@ -57,6 +57,7 @@ class GlCamera : public testing::Test {
     GlCameraRenderer renderer(scene.ground);
     const GlLens lens(rays);
     GlAtlas atlas({{rays.camera().width, rays.camera().height}});
+    atlas.clear(scene.sky);
     renderer.draw(lens, scene, X_WC, hidden, atlas, 0, marks_lines);
     atlas.beginReading();
     Picture picture;
@@ -103,9 +104,9 @@ TEST_F(GlCamera, agreesWithTheRayCasterForTwentyLenses) {
     SCOPED_TRACE(name);
     const Agreement a = agreement(camera, scene, X_WC, name);
     EXPECT_GT(a.things, 3000U);
-    EXPECT_GT(a.labels, 0.998);
+    EXPECT_GT(a.labels, 0.9995);
     EXPECT_GT(a.depths, kShareDepths);
-    EXPECT_GT(a.colours, kSharePixels);  // of all pixels to the corners: no border is black
+    EXPECT_GT(a.colours, 0.999);  // of all pixels to the corners: no border is black
   }
 }
 
@@ -172,6 +173,7 @@ TEST_F(GlCamera, drawsInAnAtlasWhatItDrawsOneByOneWhileTheNextAreDrawn) {
     }
   };
   for (int moment = 0; moment < 4; ++moment) {
+    atlas.clear(scene.sky);
     for (int i = 0; i < 3; ++i)
       renderer.draw(i == 1 ? small_lens : large_lens, scene, poseOf(moment, i), {}, atlas, static_cast<std::size_t>(i));
     atlas.beginReading();

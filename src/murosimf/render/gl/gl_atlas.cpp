@@ -68,12 +68,8 @@ GlAtlas::~GlAtlas() {
     if (t.fence != nullptr) glDeleteSync(t.fence);
 }
 
-int GlAtlas::bind(std::size_t picture, const Colour& sky) {
-  const int first = first_rows_[picture], width = sizes_[picture].width, height = sizes_[picture].height;
+void GlAtlas::clear(const Colour& sky) {
   glBindFramebuffer(GL_FRAMEBUFFER, drawn_.name());
-  glViewport(0, first, width, height);
-  glEnable(GL_SCISSOR_TEST);
-  glScissor(0, first, width, height);
   const GLfloat colour[] = {sky.red, sky.green, sky.blue, 1}, far[] = {INFINITY, 0, 0, 0}, back = 1;
   const GLuint label[] = {kSkyLabel, 0, 0, 0};
   glDepthMask(GL_TRUE);
@@ -81,8 +77,12 @@ int GlAtlas::bind(std::size_t picture, const Colour& sky) {
   glClearBufferuiv(GL_COLOR, 1, label);
   glClearBufferfv(GL_COLOR, 2, far);
   glClearBufferfv(GL_DEPTH, 0, &back);
-  glDisable(GL_SCISSOR_TEST);
-  return first;
+}
+
+int GlAtlas::bind(std::size_t picture) {
+  glBindFramebuffer(GL_FRAMEBUFFER, drawn_.name());
+  glViewport(0, first_rows_[picture], sizes_[picture].width, sizes_[picture].height);
+  return first_rows_[picture];
 }
 
 void GlAtlas::beginReading() {

@@ -31,8 +31,10 @@ class GlAtlas {
   GlAtlas(const GlAtlas&) = delete;
   GlAtlas& operator=(const GlAtlas&) = delete;
 
-  /// Makes this picture all sky; drawing goes into it from now on. @returns the row at which it begins
-  int bind(std::size_t picture, const Colour& sky);
+  /// Begins new pictures: all of them sky, at once, since to clear them one by one costs more.
+  void clear(const Colour& sky);
+  /// Drawing goes into this picture from now on. @returns the row at which it begins
+  int bind(std::size_t picture);
   /// Lets what has been drawn come back. @throws std::logic_error when two transfers are under way already
   void beginReading();
   /// Waits for the oldest transfer and fills pictures in the order of the sizes; of a null, nothing. Colour is always

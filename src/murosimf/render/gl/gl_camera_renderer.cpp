@@ -139,7 +139,7 @@ void GlCameraRenderer::draw(const GlLens& lens, const RayScene& scene, const Pos
                             std::span<const std::uint32_t> hidden, GlAtlas& atlas, std::size_t picture,
                             bool marks_lines) {
   gather(lens, scene, X_WC, hidden);
-  const int first_row = atlas.bind(picture, scene.sky);
+  const int first_row = atlas.bind(picture);
   glEnable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);

@@ -31,7 +31,7 @@ class GlCameraRenderer {
   /// The context must be current, here and at every call. @throws std::invalid_argument as GlField does
   explicit GlCameraRenderer(const PaintedGround& ground);
 
-  /// Draws one picture of an atlas. The scene's ground must be the one given above; hidden:
+  /// Draws one picture of an atlas that has been cleared. The scene's ground must be the one given above; hidden:
   /// owners that this camera does not draw. marks_lines: as in Picture.
   void draw(const GlLens& lens, const RayScene& scene, const Pose& X_WC, std::span<const std::uint32_t> hidden,
             GlAtlas& atlas, std::size_t picture, bool marks_lines = false);
