@@ -42,10 +42,15 @@ class Viewer final : public client::ControlSoftware {
     std::vector<std::uint8_t> bytes;
   };
   explicit Viewer(std::vector<Seen>& seen) : seen_(seen) {}
-  void start(const client::RobotDescription& robot) override { number_ = robot.team == "red" ? robot.number : 0; }
+  void start(const client::RobotDescription& robot) override {
+    number_ = robot.team == "red" ? robot.number : 0;
+    for (std::size_t i = 0; i < robot.cameras.size(); ++i) {
+      if (robot.cameras[i].name == "head") camera_ = static_cast<int>(i);
+    }
+  }
   void step(const client::SensorFrame& sensors, client::CommandFrame&) override {
     for (const client::CameraPicture& picture : sensors.pictures) {
-      if (number_ == 1 && picture.camera == 0)
+      if (number_ == 1 && picture.camera == camera_)
         seen_.push_back({sensors.time, picture.time, picture.format, {picture.bytes.begin(), picture.bytes.end()}});
     }
   }
@@ -54,7 +59,7 @@ class Viewer final : public client::ControlSoftware {
 
  private:
   std::vector<Seen>& seen_;
-  int number_ = 0;
+  int number_ = 0, camera_ = 0;
   client::ControlReport report_;
 };
 
