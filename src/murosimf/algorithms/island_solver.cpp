@@ -117,9 +117,12 @@ void IslandSolver::findIslands() {
     const int b = nodeOf(pairOf(c).b);
     return b >= 0 && rootOf(b) != c.island;
   });
-  std::sort(contacts_.begin(), contacts_.end(), [](const WorkContact& a, const WorkContact& b) {
+  const auto isBefore = [](const WorkContact& a, const WorkContact& b) {
     return a.island != b.island ? a.island < b.island : a.pair < b.pair;
-  });
+  };
+  // One island alone stands in order already, and a contact's work is large to move.
+  if (!std::is_sorted(contacts_.begin(), contacts_.end(), isBefore))
+    std::sort(contacts_.begin(), contacts_.end(), isBefore);
 }
 
 // ---------------------------------------------------------------------------------------------- island

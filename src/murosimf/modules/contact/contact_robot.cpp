@@ -221,6 +221,7 @@ const Pose& ContactRobot::bodyPose(int row) const {
   if (seen.frame == poses_of_) return seen.X_WB;
   seen.frame = poses_of_;
   seen.X_WB = path_.pose(row, begin_);
+  seen.R_shown = seen.X_WB.rotation;
   if (!ahead_) return seen.X_WB;
   constexpr double kJump = 0.05;  // [m] in a frame: no motion, a hand has put it there
   const Pose before = path_.last(row);
@@ -287,7 +288,7 @@ void ContactRobot::finish(const FrameContacts& frame) {
   const double turn = manner_.valid() ? manner_.get().held_turn : 0;
   for (const int row : rows_) {
     const ContactPartner& partner = frame.partners[index(partner_of_row_[index(row)])];
-    Rotation3 R = path_.pose(row, begin_).rotation;  // its axes, not halfway ones
+    Rotation3 R = seen_[index(row)].R_shown;  // its axes, not halfway ones
     if (turn > 0) R = rotationExp(partner.motion.w * (turn * dt_)) * R;
     const Vector3 from_reference = partner.X_start.translation - basePosition();
     memory_[index(row)].recoil = {partner.recoil.w, partner.recoil.v + cross(partner.recoil.w, from_reference)};

@@ -129,6 +129,7 @@ class ContactRobot {
   struct SeenPose {
     long frame = -1;
     Pose X_WB;
+    Rotation3 R_shown;
   };
   struct SeenMotion {
     long frame = -1;
