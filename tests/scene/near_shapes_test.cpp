@@ -131,5 +131,47 @@ TEST(NearShapes, LookAtShapesAgainOnlyWhenTheyMayHaveMet) {
   EXPECT_LT(tested, listed / 5) << "they hardly move";
 }
 
+TEST(ShapeTravel, BoundsTheWayOfASlidersEndWhenTheRobotTurns) {
+  BuiltWorld built(
+      "[referee]\nenabled = false\n[ball]\npresent = false\n[robots.red.1]\n"
+      "file = \"tests/data/hopper.urdf\"\npose = [0, 0, 0]\nlevel = \"full\"\n");
+  const std::unique_ptr<Simulation> simulation = built.simulation();
+  LinkedWorld& linked = simulation->linked();
+  const ObjectId robot = simulation->world().find("robots.red.1");
+  simulation->step();  // which places it
+  linked.handle(robot, kBasePose).set({{}, {0, 0, 5}});
+  linked.handle(robot, kBaseVelocity).set({{5, 0, 0}, {}});
+  linked.handle(robot, kJointPosition, subset::kJoints).set(0.3, 0);
+  linked.handle(robot, kJointCommand, subset::kJoints).set({0.3, 0, 0, 1, 0}, 0);
+  for (int i = 0; i < 5; ++i) simulation->step();
+
+  ContactTable table(simulation->world());
+  std::vector<SharedKind> kinds;
+  ContactRobot seen(simulation->world(), linked, robot, table, kinds);
+  ShapeTravel travel;
+  travel.reserve(seen);
+  const auto follow = [&] {
+    simulation->step();
+    seen.begin(simulation->frame(), simulation->frameLength());
+    travel.follow(seen, simulation->frame());
+  };
+  for (int i = 0; i < 3; ++i) follow();
+  const std::size_t foot = 1;
+  const Obstacle& shape = seen.shapes()[foot];
+  ASSERT_EQ(shape.row, 1);
+  const auto end = [&] { return seen.bodyPose(shape.row) * (shape.X_BS * Vector3{0, 0, -shape.shape.half_size.z}); };
+  const Vector3 first = end();
+  const double before = travel.of(foot).before;
+  double way = 0;
+  for (int i = 0; i < 100; ++i) {
+    follow();
+    const double gone = norm(end() - first);
+    EXPECT_LE(gone, travel.of(foot).now - before) << i;
+    way = std::max(way, gone);
+  }
+  EXPECT_GT(way, 0.1) << "it turns and falls";
+  EXPECT_LT(travel.of(foot).now - before, 10) << "a bound, not kUnknown";
+}
+
 }  // namespace
 }  // namespace murosimf::test

@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file The loops of light_filters.h and pixel_format.h, for any number of lanes. `count`: a multiple of 16.
+/// @file The loops of light_filters.h, for any number of lanes. `count`: a multiple of 16.
 
 #include <cstddef>
 

@@ -7,7 +7,7 @@
 /// T the moment of the snapshot, which is the end of the last row. Within that time camera and drawables move straight
 /// on and turn evenly, as they do at T: what they did otherwise some milliseconds ago is left out. Blur is the mean of
 /// `samples` moments, evenly spread; a rolling picture is cast in bands of 16 rows, each at its own time.
-/// Cost: one picture a sample, and the scene's preparation once a band: 640 x 480 some 0.1 ms more.
+/// Cost: one picture a sample, and the scene's preparation once a band.
 
 #include <span>
 

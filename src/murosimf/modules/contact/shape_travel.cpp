@@ -36,11 +36,12 @@ bool ShapeTravel::findWays(const ContactRobot& robot) {
   const LaneValues<double> q = robot.jointPositions();
   for (std::size_t i = 1; i < limbs.size(); ++i) {
     const double now = q.get(static_cast<int>(i) - 1), dq = abs(now - q_[i]);
+    const double out = limbs[i].turns ? 0 : max(abs(now), abs(q_[i]));
     q_[i] = now;
     moved = moved || dq != 0;
     const Way& parent = ways_[static_cast<std::size_t>(limbs[i].parent)];
     const double turn = limbs[i].turns ? dq : 0;
-    ways_[i] = {parent.d + parent.a * limbs[i].length + (dq - turn), parent.a + turn};
+    ways_[i] = {parent.d + parent.a * (limbs[i].length + out) + (dq - turn), parent.a + turn};
   }
   return moved;
 }

@@ -5,13 +5,13 @@
 /// Way of a shape between two postures, which no point of it exceeds; |dR| Frobenius norm, l_j distance of joint j from
 /// its parent's, e distance of the shape's farthest point from its body's origin:
 ///     base      d = |dp|,  a = |dR|
-///     joint j   d_j = d_parent + a_parent l_j,  a_j = a_parent + |dq_j|;   of a prismatic one |dq_j| belongs to d_j
+///     joint j   d_j = d_parent + a_parent l_j,  a_j = a_parent + |dq_j|; prismatic: |dq_j| goes to d_j, |q_j| to l_j
 ///     shape     d + a e
 /// Travel is the sum of these ways over the robot's steps. Within a step bodies are shown, and touch, somewhere on
 /// their straight paths from its beginning to its end, so what holds for a body since it was seen counts from the
 /// beginning of the step of that time (`before`) to the end of the present one (`now`). Frames in which the robot was
 /// put elsewhere or behind which it was not followed count kUnknown, and so do all frames of one whose tree is not
-/// known. Cost: some 50 ns a robot of 20 joints.
+/// known. Cost: some 0.1 us a robot of 20 joints.
 
 #include <vector>
 
