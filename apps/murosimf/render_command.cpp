@@ -31,7 +31,9 @@ std::vector<std::uint16_t> millimetres(const std::vector<float>& depth) {
 Picture withBoxes(const Picture& picture, const std::vector<LabelledObject>& objects) {
   Picture drawn = picture;
   Canvas canvas(drawn);
-  for (const auto& [label, mask] : visibleMasks(picture)) {
+  for (const auto& labelled : visibleMasks(picture)) {
+    const auto label = labelled.first;
+    const VisibleMask& mask = labelled.second;
     const auto object = std::find_if(objects.begin(), objects.end(), [&](const auto& o) { return o.label == label; });
     if (object == objects.end()) continue;
     const Rgb colour = object->category == "ball" ? Rgb{255, 120, 0} : Rgb{255, 255, 0};
