@@ -84,7 +84,7 @@ struct Walk {
 
 double physicsSeconds(const Simulation& simulation) {
   double sum = 0;
-  for (const Stage stage : {Stage::kPrescribe, Stage::kContacts, Stage::kAdvance, Stage::kSense}) {
+  for (const Stage stage : {Stage::kPrescribe, Stage::kContacts, Stage::kAdvance}) {
     sum += simulation.stages().seconds(stage);
   }
   return sum;

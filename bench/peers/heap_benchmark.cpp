@@ -21,6 +21,7 @@ constexpr int kRounds = 151;
 constexpr std::size_t kRobots = 10;
 constexpr double kFall = 6, kSettled = 2;  // [s]
 constexpr double kAlike = 0.2;             // largest difference of contacts, share of the larger number
+constexpr double kContactTime = 0.05;      // [s] of MuJoCo's contacts: with its own 0.02 they are much harder than our turf
 
 /// Robots above one another, each turned another way; they fall on one another.
 class OurHeap {
@@ -66,7 +67,10 @@ class OurHeap {
 class TheirHeap {
  public:
   explicit TheirHeap(SimulatedRobots& ours)
-      : heap_({.robot = motion::ks21(), .surfaces = ours.surfaces(), .robots = static_cast<int>(kRobots)}),
+      : heap_({.robot = motion::ks21(),
+               .surfaces = ours.surfaces(),
+               .robots = static_cast<int>(kRobots),
+               .contact_time = kContactTime}),
         posture_(ours.posture()),
         sensors_(kRobots, peers::PeerSensors(motion::ks21())) {
     for (std::size_t i = 0; i < kRobots; ++i) {
@@ -98,15 +102,15 @@ class TheirHeap {
 };
 
 void requireAlike(const peers::HeapRest& ours, const peers::HeapRest& theirs) {
-  const auto alike = [](std::size_t a, std::size_t b) {
+  const auto alike = [](auto a, auto b) {
     const double more = static_cast<double>(std::max(a, b)), fewer = static_cast<double>(std::min(a, b));
     return more > 0 && more - fewer <= kAlike * more;
   };
-  if (alike(ours.pairs.size(), theirs.pairs.size())) return;
+  if (alike(ours.pairs.size(), theirs.pairs.size()) && alike(ours.points, theirs.points)) return;
   throw std::runtime_error(
-      fmt::format("heap_vs_mujoco: {} pairs of bodies touch in ours and {} in theirs, expected a "
-                  "difference of {:.0f} % at most",
-                  ours.pairs.size(), theirs.pairs.size(), 100 * kAlike));
+      fmt::format("heap_vs_mujoco: {} pairs of bodies touch at {} points in ours, {} at {} in theirs, expected "
+                  "differences of {:.0f} % at most",
+                  ours.pairs.size(), ours.points, theirs.pairs.size(), theirs.points, 100 * kAlike));
 }
 
 std::string described(const peers::HeapRest& rest) {

@@ -11,6 +11,7 @@ namespace murosimf::peers {
 
 namespace {
 
+constexpr double kContactTime = 0.02;      // MuJoCo's own [s]
 constexpr std::size_t kContactTypes = 31;  // bits of an int without its sign
 
 std::string text(const Vector3& v) { return fmt::format("{} {} {}", v.x, v.y, v.z); }
@@ -35,13 +36,14 @@ std::string shapeText(const Shape& shape) {
 }
 
 std::string geom(const std::string& shape, const std::string& where, unsigned type, unsigned affinity,
-                 double friction) {
-  return fmt::format("<geom {} {} contype=\"{}\" conaffinity=\"{}\" friction=\"{} 0.005 0.0001\"/>\n", shape, where,
-                     type, affinity, friction);
+                 double friction, double contact_time = kContactTime) {
+  return fmt::format(
+      "<geom {} {} contype=\"{}\" conaffinity=\"{}\" friction=\"{} 0.005 0.0001\" solref=\"{} 1\"/>\n", shape, where, type,
+      affinity, friction, contact_time);
 }
 
-std::string plane(unsigned type, double friction) {
-  return geom("type=\"plane\" size=\"0 0 1\"", "", type, 0, friction);
+std::string plane(unsigned type, double friction, double contact_time = kContactTime) {
+  return geom("type=\"plane\" size=\"0 0 1\"", "", type, 0, friction, contact_time);
 }
 
 /// Calls visit(shape, place of the body) for all shapes that collide.
@@ -114,7 +116,8 @@ unsigned HeapGeoms::otherRobots(int robot) const {
 
 std::string HeapGeoms::ground() const {
   std::string planes;
-  for (const std::string& surface : surfaces_) planes += plane(groundType(surface), friction(surface, kGroundSurface));
+  for (const std::string& surface : surfaces_)
+    planes += plane(groundType(surface), friction(surface, kGroundSurface), heap_.contact_time);
   return planes;
 }
 
@@ -123,7 +126,8 @@ std::string HeapGeoms::onRow(int robot, int row) const {
   forColliding(heap_.robot, [&](const BodyShape& shape, const RowPlace& body) {
     if (body.row != row) return;
     geoms += geom(shapeText(shape.shape), mjcfPlace(body.X_RB * shape.X_BS), robotType(robot),
-                  otherRobots(robot) | groundType(shape.surface), friction(shape.surface, shape.surface));
+                  otherRobots(robot) | groundType(shape.surface), friction(shape.surface, shape.surface),
+                  heap_.contact_time);
   });
   return geoms;
 }

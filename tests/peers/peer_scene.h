@@ -24,7 +24,8 @@ struct PeerHeap {
   const RobotBlueprint& robot;
   const SurfaceTable& surfaces;  ///< of which the peers take friction alone
   int robots = 1;
-  double step = 1e-3;  ///< [s]
+  double step = 1e-3;          ///< [s]
+  double contact_time = 0.02;  ///< of MuJoCo's contacts, its solref: bodies sink in with its square [s]
 };
 
 /// A body of a scene.

@@ -129,12 +129,13 @@ double lateImpulse(const NormalStep& step, const SurfacePair& pair) {
 }
 
 Vector3 resistanceImpulse(const Vector3& u, double response, const Resistance& resistance) {
-  const double speed = norm(u);
-  if (speed <= 0 || (resistance.constant <= 0 && resistance.viscous <= 0)) return {};
+  const double square = squaredNorm(u);
+  if (square <= 0 || (resistance.constant <= 0 && resistance.viscous <= 0)) return {};
   const double slope = resistance.constant / resistance.threshold + resistance.viscous;
-  double impulse = speed * slope / fma(response, slope, 1.0);
-  if (speed > resistance.threshold * fma(response, slope, 1.0))
-    impulse = fma(resistance.viscous, speed, resistance.constant) / fma(response, resistance.viscous, 1.0);
+  const double slowed = fma(response, slope, 1.0), fastest = resistance.threshold * slowed;
+  if (square <= fastest * fastest) return u * (-slope / slowed);
+  const double speed = sqrt(square);
+  const double impulse = fma(resistance.viscous, speed, resistance.constant) / fma(response, resistance.viscous, 1.0);
   return u * (-impulse / speed);
 }
 

@@ -13,10 +13,12 @@ void NeighbourGrid::reserve(std::size_t discs) {
 std::span<const std::pair<int, int>> NeighbourGrid::find(std::span<const PlaneDisc> discs) {
   pairs_.clear();
   sortIntoCells(discs);
-  for (const Entry& e : entries_) {
-    look(discs, e, e.row, e.column);
-    look(discs, e, e.row, e.column + 1);
-    for (const std::int64_t beside : {-1, 0, 1}) look(discs, e, e.row + 1, e.column + beside);
+  // Both lists of neighbours begin farther on for every further disc: what they pass is never looked at again.
+  auto below = entries_.cbegin();
+  for (auto e = entries_.cbegin(); e != entries_.cend(); ++e) {
+    look(discs, *e, e + 1, e->row, e->column + 1);
+    while (below != entries_.cend() && *below < Entry{e->row + 1, e->column - 1, 0}) ++below;
+    look(discs, *e, below, e->row + 1, e->column + 1);
   }
   for (std::size_t i = 0; i < discs.size(); ++i) {
     if (std::isfinite(discs[i].radius)) continue;
@@ -43,11 +45,10 @@ void NeighbourGrid::sortIntoCells(std::span<const PlaneDisc> discs) {
   std::sort(entries_.begin(), entries_.end());
 }
 
-/// Of the discs of one cell those that overlap; within one cell each pair once.
-void NeighbourGrid::look(std::span<const PlaneDisc> discs, const Entry& from, std::int64_t row, std::int64_t column) {
-  const bool same = row == from.row && column == from.column;
-  auto next = std::lower_bound(entries_.begin(), entries_.end(), Entry{row, column, same ? from.disc + 1 : 0});
-  for (; next != entries_.end() && next->row == row && next->column == column; ++next)
+/// From an entry on, those that overlap, up to a cell of a row.
+void NeighbourGrid::look(std::span<const PlaneDisc> discs, const Entry& from, Entries next, std::int64_t row,
+                         std::int64_t last_column) {
+  for (; next != entries_.cend() && next->row == row && next->column <= last_column; ++next)
     add(discs, from.disc, next->disc);
 }
 

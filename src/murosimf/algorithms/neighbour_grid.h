@@ -3,7 +3,7 @@
 /// @file Which of many discs in the plane overlap: a grid of cells as wide as the widest disc.
 ///
 /// A disc lies in the cell of its centre; whatever it overlaps lies in that cell or in one beside it. Discs are sorted
-/// by cell. Discs of infinite radius overlap everything. Cost: O(n log n) and 5 looks into the sorted list a disc.
+/// by cell. Discs of infinite radius overlap everything. Cost: O(n log n), to sort them.
 
 #include <cstdint>
 #include <span>
@@ -29,7 +29,9 @@ class NeighbourGrid {
     friend auto operator<=>(const Entry&, const Entry&) = default;
   };
   void sortIntoCells(std::span<const PlaneDisc> discs);
-  void look(std::span<const PlaneDisc> discs, const Entry& from, std::int64_t row, std::int64_t column);
+  using Entries = std::vector<Entry>::const_iterator;
+  void look(std::span<const PlaneDisc> discs, const Entry& from, Entries next, std::int64_t row,
+            std::int64_t last_column);
   void add(std::span<const PlaneDisc> discs, int a, int b);
 
   std::vector<Entry> entries_;

@@ -1,6 +1,7 @@
 #include "murosimf/algorithms/pair_solver.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "murosimf/algorithms/island_solver.h"
 
@@ -15,18 +16,30 @@ PairSolver& PairSolver::operator=(PairSolver&&) noexcept = default;
 void PairSolver::reserve(int bodies, int pairs) {
   kept_.reserve(static_cast<std::size_t>(pairs));
   recalled_.reserve(static_cast<std::size_t>(pairs));
+  order_.reserve(static_cast<std::size_t>(pairs));
+  sorted_.reserve(static_cast<std::size_t>(pairs));
   islands_->reserve(static_cast<std::size_t>(bodies), static_cast<std::size_t>(pairs));
 }
 
 void PairSolver::advance(FrameContacts& frame, double dt) {
-  std::sort(frame.pairs.begin(), frame.pairs.end(),
-            [](const ContactPair& a, const ContactPair& b) { return a.key < b.key; });
+  sortByKey(frame.pairs);
   recall(frame);
   islands_->advance(frame, recalled_, dt);
   sumPartners(frame);
   kept_.clear();
   for (const KeptContact& contact : recalled_)
     if (contact.depth > 0 || contact.normal_force > 0) kept_.push_back(contact);
+}
+
+/// Sorts numbers and moves each pair once: a pair is half a kilobyte.
+void PairSolver::sortByKey(std::vector<ContactPair>& pairs) {
+  const auto at = [&](int i) -> const ContactPair& { return pairs[static_cast<std::size_t>(i)]; };
+  order_.resize(pairs.size());
+  std::iota(order_.begin(), order_.end(), 0);
+  std::sort(order_.begin(), order_.end(), [&](int a, int b) { return at(a).key < at(b).key; });
+  sorted_.clear();
+  for (const int i : order_) sorted_.push_back(at(i));
+  pairs.swap(sorted_);
 }
 
 namespace {

@@ -52,11 +52,14 @@ class PairSolver {
   void restore(std::span<const KeptContact> kept) { kept_.assign(kept.begin(), kept.end()); }
 
  private:
+  void sortByKey(std::vector<ContactPair>& pairs);
   void recall(FrameContacts& frame);
   static void sumPartners(FrameContacts& frame);
 
   std::vector<KeptContact> kept_;
   std::vector<KeptContact> recalled_;  // one per pair of the frame
+  std::vector<int> order_;             // of the frame's pairs
+  std::vector<ContactPair> sorted_;
   std::unique_ptr<IslandSolver> islands_;
 };
 

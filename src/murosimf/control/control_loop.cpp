@@ -33,6 +33,7 @@ ControlLoop::ControlLoop(std::vector<ControlledRobot> robots, const SceneView& v
       moving = moving || camera->needsMotion();
     }
     robots_.push_back(std::make_unique<Runner>(robotCount(), count, capacity, std::move(robot)));
+    if (robots_.back()->controlled.program != nullptr) programmed_.push_back(robots_.back().get());
   }
   // A camera has at most one picture that waits for its program and one that is being rendered. Each has room for the
   // whole world: a thousand robots without software could not be held if theirs had as well.
@@ -78,7 +79,7 @@ const client::ControlReport* ControlLoop::report(int robot) const {
 bool ControlLoop::isBusy(int robot) const { return robots_[static_cast<std::size_t>(robot)]->busy; }
 
 void ControlLoop::applyCommands(long frame) {
-  for (auto& runner : robots_) {
+  for (Runner* runner : programmed_) {
     // The frame in which an answer is due waits for it, unless the wall clock sets the pace.
     const bool due = runner->answered && runner->asked + 1 + timing_.delay <= frame;
     if (due && runner->busy && !timing_.paced) pool_->wait();
@@ -107,7 +108,7 @@ void ControlLoop::collect(Runner& runner, long next_frame) {
 }
 
 void ControlLoop::takePictures(long frame) {
-  for (auto& runner : robots_) {
+  for (Runner* runner : programmed_) {
     if (!runner->runs()) continue;
     for (std::size_t i = 0; i < runner->waiting.size(); ++i) {
       const MountedCamera* camera = runner->controlled.camera(i);
@@ -120,9 +121,9 @@ void ControlLoop::takePictures(long frame) {
 }
 
 void ControlLoop::deliverMessages() {
-  for (const auto& sender : robots_) {
+  for (Runner* sender : programmed_) {
     if (sender->outbox.number == 0) continue;
-    for (auto& receiver : robots_) {
+    for (Runner* receiver : programmed_) {
       const bool mates = sender != receiver && sender->team() == receiver->team();
       if (mates) receiver->inbox[static_cast<std::size_t>(sender->index)] = sender->outbox;
     }
@@ -134,9 +135,9 @@ void ControlLoop::publish(long frame) {
   takePictures(frame);
   if ((frame + 1) % timing_.period != 0) return;
   if (!timing_.paced) pool_->wait();
-  for (auto& runner : robots_) collect(*runner, frame + 1);
+  for (Runner* runner : programmed_) collect(*runner, frame + 1);
   deliverMessages();
-  for (auto& runner : robots_) {
+  for (Runner* runner : programmed_) {
     if (!runner->runs()) continue;
     if (runner->answered) {
       ++runner->missed_frames;

@@ -123,6 +123,7 @@ class ControlLoop {
   void stepProgram(Runner& runner);
 
   std::vector<std::unique_ptr<Runner>> robots_;
+  std::vector<Runner*> programmed_;  // those with a program: of a thousand robots without one none is looked at
   const SceneView& view_;
   ControlTiming timing_;
   double frame_length_;

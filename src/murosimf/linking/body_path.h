@@ -37,6 +37,8 @@ class BodyPath {
     return interpolate(last_.get(row).translation, pose_.get(row).translation, share);
   }
   Pose last(int row) const { return last_.get(row); }
+  /// Asks the memory for the base's pose at the end of the step.
+  void fetch() const { pose_.values().fetch(1); }
   Pose end(int row) const { return pose_.get(row); }
 
  private:

@@ -7,6 +7,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <utility>
 
 #include "murosimf/linking/declaration.h"
 
@@ -17,20 +18,25 @@ template <class T>
 class LaneValues {
  public:
   LaneValues(double* first, int stride) : first_(first), stride_(stride) {}
+  /// Asks the memory for the values of so many objects, which will be read soon.
+  void fetch(int objects) const {
+    constexpr int kLine = 64 / sizeof(double);
+    for (int i = 0; i < objects * kNumbers * stride_; i += kLine) __builtin_prefetch(first_ + i);
+  }
   /// Value of the subset's object number `object`.
   T get(int object = 0) const {
     const double* source = first_ + object * kNumbers * stride_;
     // Straight into the value: a copy by way of an array would wait for its own stores.
     T value;
     auto* target = reinterpret_cast<double*>(&value);
-    for (int i = 0; i < kNumbers; ++i) target[i] = source[i * stride_];
+    forEachNumber([&](int i) { target[i] = source[i * stride_]; });
     return value;
   }
   void set(const T& value, int object = 0) const {
     double numbers[sizeof(T) / sizeof(double)];
     __builtin_memcpy(numbers, &value, sizeof(T));
     double* target = first_ + object * kNumbers * stride_;
-    for (int i = 0; i < kNumbers; ++i) target[i * stride_] = numbers[i];
+    forEachNumber([&](int i) { target[i * stride_] = numbers[i]; });
   }
   /// Changes one member and leaves the others: a fifth of the writing where only positions of servo commands change.
   template <class Member, std::same_as<T> Whole>
@@ -43,6 +49,11 @@ class LaneValues {
 
  private:
   static constexpr int kNumbers = static_cast<int>(sizeof(T) / sizeof(double));
+  /// Without a loop, whose counting takes as long as the reading.
+  template <class Visit>
+  static void forEachNumber(Visit&& visit) {
+    [&]<int... I>(std::integer_sequence<int, I...>) { (visit(I), ...); }(std::make_integer_sequence<int, kNumbers>());
+  }
   double* first_;
   int stride_;
 };

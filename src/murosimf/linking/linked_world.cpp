@@ -32,6 +32,24 @@ void LinkedWorld::runBlock(Phase phase, const Batch& batch, int block, long fram
   }
 }
 
+bool LinkedWorld::anyDue(Phase phase, const Batch& batch, long frame) const {
+  return std::any_of(batch.passes.begin(), batch.passes.end(),
+                     [&](const LinkedPass& pass) { return pass.phase == phase && isDue(pass, frame); });
+}
+
+void LinkedWorld::fetchState(const Batch& batch, int block) const {
+  constexpr std::size_t kStaysInCache = 512 * 1024 / sizeof(double), kLine = 64 / sizeof(double);
+  if (block >= batch.blockCount() || batch.state_size * batch.members.size() < kStaysInCache) return;
+  const std::span<double> state = batch.state[static_cast<std::size_t>(block)];
+  for (std::size_t i = 0; i < state.size(); i += kLine) __builtin_prefetch(state.data() + i, 1, 2);
+}
+
+std::span<const int> LinkedWorld::seatedIn(std::size_t batch, int block) const {
+  const int width = batches_[batch].width, first = block * width;
+  return std::span(seats_[batch]).subspan(static_cast<std::size_t>(first),
+                                          static_cast<std::size_t>(std::min(width, batches_[batch].seated - first)));
+}
+
 void LinkedWorld::runFrame(long frame) {
   if (step_memory_.size() < stepMemorySize()) step_memory_ = AlignedDoubles(stepMemorySize());
   for (const Batch& batch : batches_) {

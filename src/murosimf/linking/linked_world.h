@@ -68,6 +68,13 @@ class LinkedWorld {
   /// Runs the passes of one phase that are due in this frame, on one block. Step memory lasts until the next call;
   /// debug builds fill it with NaN first.
   void runBlock(Phase phase, const Batch& batch, int block, long frame, double* step_memory) const;
+  /// Whether a pass of this phase is due in this frame.
+  bool anyDue(Phase phase, const Batch& batch, long frame) const;
+  /// Asks the memory for the state of a block that comes next, where the batch is too large to stay in the cache: the
+  /// columns of a block are too short and too many for the processor to guess them.
+  void fetchState(const Batch& batch, int block) const;
+  /// Who stands in the lanes of a block, by their numbers among residents().
+  std::span<const int> seatedIn(std::size_t batch, int block) const;
   /// All three phases on all blocks, on this thread: a whole frame where nothing but modules moves anything.
   void runFrame(long frame);
 
@@ -144,6 +151,9 @@ class LinkedWorld {
   AlignedDoubles state_one_, step_one_, own_one_, left_;  // of one robot, while it is exchanged
   std::vector<Place> places_;                             // of the residents
   std::vector<PassReport> reports_;
+  /// Handles point to these. Those of one robot that one part of the frame asks for stand side by side: of a thousand
+  /// robots each would be a miss of the cache else.
+  std::deque<ColumnCell> cells_;
   AlignedDoubles step_memory_;  // of runFrame()
 };
 

@@ -2,7 +2,6 @@
 
 /// @file An assembly in the batches: at which levels of detail it may be stepped, and where it is now.
 
-#include <deque>
 #include <string>
 #include <vector>
 
@@ -23,7 +22,7 @@ struct Watch {
   std::string property, subset;
   std::vector<const ColumnLayout*> layouts;  ///< of each level; null where it has no such column
   std::vector<const LinkedPass*> writers;    ///< of each level; null where no module writes it
-  ColumnCell cell;
+  ColumnCell* cell = nullptr;
 };
 
 struct Resident {
@@ -33,7 +32,7 @@ struct Resident {
   std::vector<LevelSeat> levels;
   /// State over all levels: each column once, with its layout at each level, null where a level has no such column.
   std::vector<std::vector<const ColumnLayout*>> columns;
-  std::deque<Watch> watches;  ///< at fixed addresses: handles point to their cells
+  std::vector<Watch> watches;
   int batch() const { return levels[static_cast<std::size_t>(level)].batch; }
 };
 

@@ -75,7 +75,7 @@ const ColumnCell* LinkedWorld::watch(ObjectId assembly, std::string_view propert
   const auto found = std::find_if(residents_.begin(), residents_.end(),
                                   [&](const Resident& resident) { return resident.assembly == assembly; });
   if (found == residents_.end()) return &nowhere;
-  Watch watch{std::string(property), std::string(of), {}, {}, {}};
+  Watch watch{std::string(property), std::string(of), {}, {}, nullptr};
   bool known = false;
   for (const LevelSeat& seat : found->levels) {
     const Batch& batch = batches_[static_cast<std::size_t>(seat.batch)];
@@ -91,11 +91,12 @@ const ColumnCell* LinkedWorld::watch(ObjectId assembly, std::string_view propert
   }
   if (!known) return &nowhere;
   for (const Watch& other : found->watches) {
-    if (other.property == property && other.subset == of) return &other.cell;
+    if (other.property == property && other.subset == of) return other.cell;
   }
+  watch.cell = &cells_.emplace_back();
   found->watches.push_back(std::move(watch));
   point(*found);
-  return &found->watches.back().cell;
+  return found->watches.back().cell;
 }
 
 /// Lets place and handles of a resident show where it is.
@@ -108,14 +109,14 @@ void LinkedWorld::point(Resident& resident) {
     const auto level = static_cast<std::size_t>(resident.level);
     const ColumnLayout* layout = watch.layouts[level];
     const LinkedPass* writer = watch.writers[level];
-    watch.cell = {};
+    *watch.cell = {};
     if (layout == nullptr) continue;
-    watch.cell.first = element(place, *layout);
-    watch.cell.stride = batch.width;
-    watch.cell.objects = layout->objects;
+    watch.cell->first = element(place, *layout);
+    watch.cell->stride = batch.width;
+    watch.cell->objects = layout->objects;
     if (writer == nullptr) continue;
-    watch.cell.period = writer->period;
-    watch.cell.phase = writer->phase;
+    watch.cell->period = writer->period;
+    watch.cell->phase = writer->phase;
   }
 }
 

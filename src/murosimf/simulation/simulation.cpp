@@ -2,6 +2,8 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
+#include <algorithm>
+
 #include "murosimf/simulation/state_hash.h"
 
 namespace murosimf {
@@ -56,17 +58,13 @@ void Simulation::step() {
   stages_.lap(Stage::kInterventions);
   if (control_ != nullptr) control_->applyCommands(frame_);
   stages_.lap(Stage::kCommands);
-  runPhase(Phase::kPrescribe);
-  guard_.check(Phase::kPrescribe, frame_);
+  runBlocks({Phase::kPrescribe});
   blocking_.advance(frame_);
   stages_.lap(Stage::kPrescribe);
   pairs_.advance(frame_, frameLength());
   stages_.lap(Stage::kContacts);
-  runPhase(Phase::kAdvance);
-  guard_.check(Phase::kAdvance, frame_);
+  runBlocks({Phase::kAdvance, Phase::kSense});
   stages_.lap(Stage::kAdvance);
-  runPhase(Phase::kSense);
-  stages_.lap(Stage::kSense);
   if (control_ != nullptr) control_->publish(frame_);
   stages_.lap(Stage::kPublish);
   ++frame_;
@@ -81,18 +79,36 @@ constexpr int kBlocksWorthForking = 32;
 
 }  // namespace
 
-void Simulation::runPhase(Phase phase) {
-  for (const Batch& batch : linked_->batches()) {
-    if (batch.blockCount() < kBlocksWorthForking) {
-      for (int b = 0; b < batch.blockCount(); ++b) linked_->runBlock(phase, batch, b, frame_, step_memory_.data());
-      continue;
-    }
-    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<int>(0, batch.blockCount(), 8), [&](const auto& range) {
-      thread_local AlignedDoubles memory;
-      if (memory.size() < step_memory_.size()) memory = AlignedDoubles(step_memory_.size());
-      for (int b = range.begin(); b < range.end(); ++b) linked_->runBlock(phase, batch, b, frame_, memory.data());
-    });
+template <class Run>
+void Simulation::forBlocks(int count, const Run& run) {
+  if (count < kBlocksWorthForking) {
+    for (int b = 0; b < count; ++b) run(b, step_memory_.data());
+    return;
   }
+  oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<int>(0, count, 8), [&](const auto& range) {
+    thread_local AlignedDoubles memory;
+    if (memory.size() < step_memory_.size()) memory = AlignedDoubles(step_memory_.size());
+    for (int b = range.begin(); b < range.end(); ++b) run(b, memory.data());
+  });
+}
+
+/// One block through all phases before the next one, and its robots looked at while they are in the cache.
+void Simulation::runBlocks(std::initializer_list<Phase> phases) {
+  for (std::size_t i = 0; i < linked_->batches().size(); ++i) {
+    const Batch& batch = linked_->batches()[i];
+    const bool due = std::any_of(phases.begin(), phases.end(),
+                                 [&](Phase phase) { return linked_->anyDue(phase, batch, frame_); });
+    if (!due) continue;
+    const auto run = [&](int block, double* step_memory) {
+      linked_->fetchState(batch, block + 1);
+      for (const Phase phase : phases) {
+        linked_->runBlock(phase, batch, block, frame_, step_memory);
+        guard_.look(linked_->seatedIn(i, block), phase, frame_);
+      }
+    };
+    forBlocks(batch.blockCount(), run);
+  }
+  guard_.freeze(frame_);
 }
 
 std::uint64_t Simulation::stateHash() const { return hashState(*linked_); }

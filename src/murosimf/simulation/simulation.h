@@ -2,6 +2,7 @@
 
 /// @file The simulation: a linked world, and the frame that moves it.
 
+#include <initializer_list>
 #include <memory>
 #include <vector>
 
@@ -84,7 +85,9 @@ class Simulation {
 
  private:
   void intervene();
-  void runPhase(Phase phase);
+  void runBlocks(std::initializer_list<Phase> phases);
+  template <class Run>
+  void forBlocks(int count, const Run& run);
 
   std::shared_ptr<const World> world_;
   std::unique_ptr<LinkedWorld> linked_;

@@ -8,11 +8,11 @@
 
 namespace murosimf {
 
-enum class Stage { kInterventions, kCommands, kPrescribe, kContacts, kAdvance, kSense, kPublish, kObserve, kCount };
+enum class Stage { kInterventions, kCommands, kPrescribe, kContacts, kAdvance, kPublish, kObserve, kCount };
 
 constexpr std::string_view nameOf(Stage stage) {
   constexpr std::array<std::string_view, static_cast<std::size_t>(Stage::kCount)> kNames{
-      "interventions", "commands", "prescribe", "contacts", "advance", "sense", "publish", "observe"};
+      "interventions", "commands", "prescribe", "contacts", "advance", "publish", "observe"};
   return kNames[static_cast<std::size_t>(stage)];
 }
 

@@ -1,5 +1,8 @@
 #include "murosimf/simulation/state_guard.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace murosimf {
 
 const OutsideAccess& StateGuard::robotAccess() {
@@ -17,12 +20,15 @@ const OutsideAccess& StateGuard::robotAccess() {
 StateGuard::StateGuard(const World& world, LinkedWorld& linked, const std::vector<ObjectId>& robots)
     : world_(world), linked_(linked) {
   for (const ObjectId id : robots) {
-    robots_.push_back({id, &linked.residentOf(id), StepHistory(linked, id), linked.handle(id, kBasePose),
+    robots_.push_back({id, &linked.residentOf(id), StepHistory(linked, id), false, false, linked.handle(id, kBasePose),
                        linked.handle(id, kBasePoseLast), linked.handle(id, kBodyPose, subset::kBodies),
                        linked.handle(id, kBodyPoseLast, subset::kBodies),
                        linked.handle(id, kJointPosition, subset::kJoints), linked.handle(id, kPlacementCount),
                        linked.handle(id, kPlacementsShown), kernelRows(*world.findShared(id, kTree))});
   }
+  robot_of_.assign(linked.residents().size(), -1);
+  for (std::size_t i = 0; i < robots_.size(); ++i)
+    robot_of_[static_cast<std::size_t>(robots_[i].resident - linked.residents().data())] = static_cast<int>(i);
   keepHistories();
 }
 
@@ -38,22 +44,32 @@ void StateGuard::keepHistories() {
   }
 }
 
-void StateGuard::check(Phase phase, long frame) {
+/// Those of one block move in the same phase.
+void StateGuard::look(std::span<const int> residents, Phase phase, long frame) {
   const double time = static_cast<double>(frame + 1) * linked_.frameLength();
-  for (Robot& robot : robots_) {
-    if (robot.frozen) {
-      hold(robot);
-    } else if (robot.history.moved(phase, frame) && !robot.history.record(time)) {
-      freeze(robot, time);
-    }
+  for (const int resident : residents) {
+    const int number = robot_of_[static_cast<std::size_t>(resident)];
+    if (number < 0) continue;
+    Robot& robot = robots_[static_cast<std::size_t>(number)];
+    if (!robot.history.moved(phase, frame)) return;
+    if (!robot.frozen && !robot.history.record(time)) robot.wrong = any_wrong_ = true;
   }
 }
 
-void StateGuard::freeze(Robot& robot, double time) {
+void StateGuard::freeze(long frame) {
+  if (!any_wrong_ && frozen_ == 0) return;
+  for (Robot& robot : robots_) {
+    if (robot.frozen) hold(robot);
+    if (std::exchange(robot.wrong, false)) freezeAt(robot, static_cast<double>(frame + 1) * linked_.frameLength());
+  }
+  any_wrong_ = false;
+}
+
+void StateGuard::freezeAt(Robot& robot, double time) {
   Fault& fault = faults_.emplace_back(Fault{robot.object, time, robot.history.fault(world_), {}});
   for (int i = 0; i < robot.history.size(); ++i) fault.steps.push_back(robot.history.step(i));
   robot.history.clear();
-  robot.frozen = true;
+  robot.frozen = true, ++frozen_;
   linked_.beginAnew(robot.object);
   if (fault.steps.size() > 1) {
     const StepHistory::Step& last = fault.steps[fault.steps.size() - 2];
@@ -93,13 +109,14 @@ void StateGuard::hold(Robot& robot) {
 
 void StateGuard::thaw(ObjectId object) {
   for (Robot& robot : robots_) {
-    if (robot.object == object) robot.frozen = false;
+    if (robot.object == object && std::exchange(robot.frozen, false)) --frozen_;
   }
 }
 
 void StateGuard::archive(StateArchive& archive) {
   for (Robot& robot : robots_) archive(robot);
   archive(faults_);
+  frozen_ = static_cast<int>(std::count_if(robots_.begin(), robots_.end(), [](const Robot& r) { return r.frozen; }));
 }
 
 }  // namespace murosimf

@@ -6,6 +6,8 @@
 /// reads it. A frozen robot stands still, all its other variables as they are before a first step, whatever it is
 /// commanded and linked to. It thaws when somebody places it (a referee, a person).
 
+#include <atomic>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,8 +34,10 @@ class StateGuard {
 
   StateGuard(const World& world, LinkedWorld& linked, const std::vector<ObjectId>& robots);
 
-  /// Behind a phase: looks at those whose step has ended in it, and holds those that are frozen.
-  void check(Phase phase, long frame);
+  /// Behind a phase of a block, from any thread: looks at its residents, where their step has ended in it.
+  void look(std::span<const int> residents, Phase phase, long frame);
+  /// Then, once all blocks are through: freezes those that went wrong, and holds those that are frozen.
+  void freeze(long frame);
   /// A robot that was placed moves again.
   void thaw(ObjectId robot);
   /// Robots by number, as they were given.
@@ -46,10 +50,11 @@ class StateGuard {
     ObjectId object;
     const Resident* resident;
     StepHistory history;
+    bool wrong = false;  ///< found so by look()
+    bool frozen = false;
     Handle<Pose> base, base_last, bodies, bodies_last;
     Handle<double> q, placements, shown;
     std::vector<KernelRow> rows;
-    bool frozen = false;
     Pose X_WB{};                   ///< where it is held
     std::vector<double> at{};      ///< joint positions in which it is held
     int level = 0;                 ///< at which `memory` was taken
@@ -57,13 +62,16 @@ class StateGuard {
     void archive(StateArchive& archive) { archive(frozen, X_WB, at, level, memory); }
   };
   void keepHistories();
-  void freeze(Robot& robot, double time);
+  void freezeAt(Robot& robot, double time);
   void stop(Robot& robot);
   void hold(Robot& robot);
 
   const World& world_;
   LinkedWorld& linked_;
   std::vector<Robot> robots_;
+  std::vector<int> robot_of_;             ///< number among robots_ of each resident; -1: none
+  std::atomic<bool> any_wrong_ = false;   ///< since the last freeze()
+  int frozen_ = 0;                        ///< how many are
   std::vector<float> histories_;  ///< of a step those of all robots, then those of the next one
   std::vector<Fault> faults_;
 };

@@ -23,7 +23,8 @@ class StepHistory {
 
   /// Numbers of one step.
   std::size_t width() const { return width_; }
-  /// Where steps are kept: the first one there, the next ones `stride` numbers apart, kSteps of them. Before record().
+  /// Where steps are kept: the first one there, at a multiple of 16 bytes, the next ones `stride` numbers apart, kSteps
+  /// of them. Before record().
   void keepAt(float* first, std::size_t stride) { first_ = first, stride_ = stride; }
   /// Whether a step of this phase ends with this frame.
   bool moved(Phase phase, long frame) const { return base_.phase() == phase && frame % base_.period() == 0; }

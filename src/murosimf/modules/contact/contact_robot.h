@@ -98,6 +98,11 @@ class ContactRobot {
   /// Where a body will be at the end of its motion's step, and its joints.
   Pose stepEnd(int row) const { return path_.end(row); }
   LaneValues<double> jointPositions() const { return q_.values(); }
+  /// Asks the memory for both.
+  void fetchPosture() const {
+    path_.fetch();
+    q_.values().fetch(q_.size());
+  }
   /// Where a body is shown at the frame's start: half a step from bodyPose() at most, and cheaper.
   Pose shownPose(int row) const { return path_.pose(row, begin_); }
   /// Where a body is at the frame's start. Motion by implicit Euler shows positions half a step ahead of its

@@ -7,7 +7,9 @@ namespace murosimf {
 namespace {
 
 constexpr std::size_t kContactsPerRobot = 64;
-constexpr double kMargin = 0.02;  // [m] a robot moves less within a frame
+constexpr std::size_t kMany = 64;  // robots whose state does not stay in the cache
+constexpr std::size_t kAhead = 2;  // pairs of those for whose state the memory is asked before it is read
+constexpr double kMargin = 0.02;   // [m] a robot moves less within a frame
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -49,9 +51,15 @@ RobotPairs::RobotPairs(ContactTable& table, const std::vector<ContactRobot>& rob
     : table_(&table), placed_(robots.size()), travels_(robots.size()) {
   grid_.reserve(robots.size());
   discs_.reserve(robots.size());
+  std::size_t numbers = 0;
+  for (const ContactRobot& robot : robots) numbers += ShapeTravel::numbersOf(robot);
+  travelled_ = AlignedDoubles(numbers);
+  double* next = travelled_.data();
   for (std::size_t i = 0; i < robots.size(); ++i) {
     placed_[i].reserve(robots[i].primitives().size());
-    travels_[i].reserve(robots[i]);
+    travels_[i].reserve(robots[i], {next, ShapeTravel::numbersOf(robots[i])});
+    next += ShapeTravel::numbersOf(robots[i]);
+    ways_.resize(std::max(ways_.size(), robots[i].limbs().size()));
   }
   near_.reserve(robots.size());
   const bool nobody = std::none_of(robots.begin(), robots.end(), [](const ContactRobot& r) { return r.mayRecoil(); });
@@ -84,12 +92,20 @@ void RobotPairs::find(std::vector<ContactRobot>& robots, const std::vector<Fixed
     discs_.push_back({p.x, p.y, robot.reach() + kMargin});
   }
   near_.beginFrame();
-  for (const auto& [a, b] : grid_.find(discs_)) betweenRobots(a, b);
+  const std::span<const std::pair<int, int>> neighbours = grid_.find(discs_);
+  for (std::size_t i = 0; i < neighbours.size(); ++i) {
+    if (robots.size() >= kMany && i + kAhead < neighbours.size()) fetch(neighbours[i + kAhead]);
+    betweenRobots(neighbours[i].first, neighbours[i].second);
+  }
   for (std::size_t i = 0; i < robots.size(); ++i) {
     if (!robots[i].recoils() || !robots[i].present()) continue;
     withFixed(static_cast<int>(i));
     if (touches_itself_[i] && robots[i].jointsYield()) withItself(static_cast<int>(i));
   }
+}
+
+void RobotPairs::fetch(const std::pair<int, int>& robots) const {
+  for (const int robot : {robots.first, robots.second}) travels_[index(robot)].fetch((*robots_)[index(robot)]);
 }
 
 void RobotPairs::betweenRobots(int a, int b) {
@@ -134,7 +150,7 @@ void RobotPairs::withItself(int robot) {
 
 const ShapeTravel& RobotPairs::travelOf(int robot) {
   ShapeTravel& travel = travels_[index(robot)];
-  travel.follow(robotOf(robot), frame_number_);
+  travel.follow(robotOf(robot), frame_number_, ways_);
   return travel;
 }
 

@@ -14,6 +14,7 @@
 
 #include "murosimf/algorithms/collision/detect_contact.h"
 #include "murosimf/algorithms/neighbour_grid.h"
+#include "murosimf/linking/batch.h"
 #include "murosimf/modules/contact/near_shapes.h"
 
 namespace murosimf {
@@ -51,6 +52,7 @@ class RobotPairs {
     std::uint64_t name = 0;
     Pose X_WB;
   };
+  void fetch(const std::pair<int, int>& robots) const;
   void betweenRobots(int a, int b);
   void withFixed(int robot);
   void withItself(int robot);
@@ -68,6 +70,8 @@ class RobotPairs {
   std::vector<char> touches_itself_;  // of each robot
   std::vector<PlacedShapes> placed_;  // as robots
   std::vector<ShapeTravel> travels_;  // same
+  AlignedDoubles travelled_;          // what these keep
+  std::vector<ShapeTravel::Way> ways_;
   NearShapes near_;
   std::vector<PlaneDisc> discs_;
   NeighbourGrid grid_;

@@ -13,7 +13,7 @@
 /// put elsewhere or behind which it was not followed count kUnknown, and so do all frames of one whose tree is not
 /// known. Cost: some 0.1 us a robot of 20 joints.
 
-#include <vector>
+#include <span>
 
 #include "murosimf/modules/contact/contact_robot.h"
 
@@ -29,26 +29,31 @@ class ShapeTravel {
  public:
   static constexpr double kUnknown = 100;  // [m]
 
-  void reserve(const ContactRobot& robot);
-  /// At the start of the frame `now`.
-  void follow(const ContactRobot& robot, long now);
+  /// Of a robot's row, in the present step.
+  struct Way {
+    double d = 0, a = 0;
+  };
+  /// How many numbers it keeps of a robot; those of all robots stand best in one piece, in the order of robots.
+  static std::size_t numbersOf(const ContactRobot& robot);
+  /// @param numbers  room for them, which must last as long
+  void reserve(const ContactRobot& robot, std::span<double> numbers);
+  /// At the start of the frame `now`. Overwrites `ways`, room for a computation, one at least for each row.
+  void follow(const ContactRobot& robot, long now, std::span<Way> ways);
+  /// Asks the memory for what follow() will read.
+  void fetch(const ContactRobot& robot) const;
   const Travel& of(std::size_t shape) const { return travels_[shape]; }
   /// No shape has gone farther.
   const Travel& longest() const { return longest_; }
 
  private:
-  struct Way {
-    double d = 0, a = 0;
-  };
-  bool findWays(const ContactRobot& robot);
-  void add(const ContactRobot& robot, bool known);
+  bool findWays(const ContactRobot& robot, std::span<Way> ways);
+  void add(const ContactRobot& robot, bool known, std::span<const Way> ways);
 
   long frame_ = -2;
   const std::vector<Obstacle>* shapes_ = nullptr;  // those that it had then
   Pose X_WB_;                                      // of its base
-  std::vector<double> q_;
-  std::vector<Way> ways_;  // of each row, in the present step
-  std::vector<Travel> travels_;
+  std::span<double> q_;
+  std::span<Travel> travels_;
   Travel longest_;
 };
 
