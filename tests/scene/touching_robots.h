@@ -95,6 +95,22 @@ class Robots {
     }
     return sum;
   }
+  struct Mass {
+    double mass = 0;
+    Vector3 moment;  ///< of mass: mass times the place of its centre
+  };
+  Mass mass(std::size_t i) {
+    const BodyPath path(simulation_->linked(), robots_[i]);
+    Mass sum;
+    int row = 0;
+    for (const ObjectId body : simulation_->world().members(robots_[i], subset::kBodies)) {
+      const RigidInertia<double> inertia = *simulation_->world().find(body, kBodyInertia);
+      const Pose X_WB = path.end(row++);
+      sum.mass += inertia.m;
+      sum.moment += X_WB.rotation * inertia.mc + X_WB.translation * inertia.m;
+    }
+    return sum;
+  }
   /// Height of the lowest point of its shapes that collide.
   double lowestPoint(std::size_t i) {
     const BodyPath path(simulation_->linked(), robots_[i]);

@@ -1,4 +1,4 @@
-// Every level of detail against every other: one robot walks into another, kicks the ball to it, and is kicked at.
+// Every level of detail against every other: one robot walks into another, falls onto it, and kicks the ball to it.
 
 #include <tuple>
 
@@ -10,10 +10,13 @@
 namespace murosimf::test {
 namespace {
 
-constexpr const char* kLevels[] = {"kinematic_walking", "simplified_dynamics", "multibody_dynamics"};
-using TwoLevels = std::tuple<const char*, const char*>;
+enum class Meeting { kWalksInto, kFallsOnto, kKicksTheBallTo };
+/// The motion of the first robot and of the second one, and what the first one does.
+using TwoLevels = std::tuple<const char*, const char*, Meeting>;
 std::string nameOf(const testing::TestParamInfo<TwoLevels>& test) {
-  return std::string(std::get<0>(test.param)) + "_and_" + std::get<1>(test.param);
+  const auto& [first, second, meeting] = test.param;
+  const char* const does[] = {"walks_into", "falls_onto", "kicks_the_ball_to"};
+  return fmt::format("{}_{}_{}", first, does[static_cast<int>(meeting)], second);
 }
 
 /// Largest difference of what a robot was handed over in the last frame and what the contacts say, over the latter.
@@ -59,12 +62,9 @@ controllers::JointAngles standUp(double t) {
   return angles;
 }
 
-// ------------------------------------------------------------------------------------------------------- walks
+// Each of these says what is to be seen, and returns the largest momentum that contacts made out of nothing.
 
-class RobotThatWalks : public testing::TestWithParam<TwoLevels> {};
-
-TEST_P(RobotThatWalks, IntoAnotherIsStoppedOrPushesItButDoesNotPassThroughIt) {
-  const auto [walker, other] = GetParam();
+double walksInto(const char* walker, const char* other) {
   Robots two({walker, other}, {"robots.red.1.pose=[-0.35, 0, 0]", "robots.red.2.pose=[0, 0.03, {deg=180}]"});
   double wrong = 0, deepest = 0, fastest = 0, nearest = 1;
   for (int i = 0; i < 6000; ++i) {
@@ -83,27 +83,39 @@ TEST_P(RobotThatWalks, IntoAnotherIsStoppedOrPushesItButDoesNotPassThroughIt) {
   }
   const bool blocked = !two.falls(0) || !two.falls(1);  // a kinematic robot stops or gives way before it touches
   EXPECT_LT(nearest, 0.33) << "they were to meet";
-  EXPECT_GT(nearest, 0.05) << "trunks are 0.1 m deep";
-  if (blocked) {
-    EXPECT_GT(nearest, 0.2) << "two discs of 0.14 m";
-  } else {
-    EXPECT_GT(deepest, 1e-6);
-  }
+  EXPECT_GT(nearest, blocked ? 0.2 : 0.05) << "two discs of 0.14 m, or trunks 0.1 m deep";
+  EXPECT_GT(deepest, blocked ? -1 : 1e-6);
   EXPECT_LT(deepest, 0.025);
   EXPECT_LT(fastest, 5);
-  EXPECT_LT(wrong, 1e-12);
   EXPECT_TRUE(two.simulation().guard().faults().empty());
+  return wrong;
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, RobotThatWalks,
-                         testing::Combine(testing::ValuesIn(kLevels), testing::ValuesIn(kLevels)), nameOf);
+double fallsOnto(const char* upper, const char* lower) {
+  Robots two({upper, lower});
+  double wrong = 0, deepest = 0, fastest = 0, energy = 0;
+  for (int i = 0; i < 5500; ++i) {
+    if (i % 10 == 0) {
+      for (std::size_t k = 0; k < 2; ++k) two.commandAll(k, standUp(two.simulation().time()));
+    }
+    if (i == 1500) two.put(0, {rotationY(kPi / 2), two.base(1).get().translation + Vector3{0.02, 0.01, 0.5}});
+    two.simulation().step();
+    if (i < 1502) continue;
+    wrong = std::max(wrong, madeOfNothing(two));
+    deepest = std::max(deepest, two.deepest());
+    fastest = std::max(fastest, two.fastest());
+    if (i >= 5300) energy = std::max({energy, two.kineticEnergy(0), two.kineticEnergy(1)});
+  }
+  EXPECT_GT(deepest, 1e-4) << "they were to touch";
+  EXPECT_LT(deepest, 0.02);
+  EXPECT_LT(fastest, 8) << "nobody falls from higher than a metre";
+  EXPECT_LT(energy, 1e-2) << "they lie or stand";
+  EXPECT_LT(two.deepest(), 5e-3);
+  EXPECT_TRUE(two.simulation().guard().faults().empty());
+  return wrong;
+}
 
-// ------------------------------------------------------------------------------------------------------- kicks
-
-class RobotThatKicks : public testing::TestWithParam<TwoLevels> {};
-
-TEST_P(RobotThatKicks, TheBallToAnotherGivesItNoMoreThanItsFootHasAndTheOtherStopsIt) {
-  const auto [kicker, other] = GetParam();
+double kicksTheBallTo(const char* kicker, const char* other) {
   Robots two({kicker, other}, {"robots.red.1.pose=[0, 0, 0]", "robots.red.2.pose=[1, -0.03, {deg=180}]",
                                "ball.present=true", "ball.position=[0.17, -0.053]"});
   double wrong = 0, fastest = 0, foot = 0, farthest = 0;
@@ -130,18 +142,39 @@ TEST_P(RobotThatKicks, TheBallToAnotherGivesItNoMoreThanItsFootHasAndTheOtherSto
   EXPECT_LT(fastest, 1.2 * (1 + std::sqrt(0.5)) * foot) << "a toe is a little faster than its ankle";
   EXPECT_GT(farthest, 0.7) << "it was to come there";
   EXPECT_LT(farthest, 1.0) << "and not to pass through";
-  EXPECT_LT(wrong, 1e-12);
+  return wrong;
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, RobotThatKicks,
-                         testing::Combine(testing::ValuesIn(kLevels), testing::ValuesIn(kLevels)), nameOf);
+class MixedLevels : public testing::TestWithParam<TwoLevels> {};
+
+TEST_P(MixedLevels, MeetWithImpulsesThatAreEqualAndOpposite) {
+  const auto [first, second, meeting] = GetParam();
+  const auto meet = meeting == Meeting::kWalksInto   ? walksInto
+                    : meeting == Meeting::kFallsOnto ? fallsOnto
+                                                     : kicksTheBallTo;
+  EXPECT_LT(meet(first, second), 1e-12);
+}
+
+constexpr const char* kDynamic[] = {"simplified_dynamics", "multibody_dynamics"};
+constexpr const char* kAll[] = {"kinematic_walking", "simplified_dynamics", "multibody_dynamics"};
+INSTANTIATE_TEST_SUITE_P(OnFeet, MixedLevels,
+                         testing::Combine(testing::ValuesIn(kAll), testing::ValuesIn(kAll),
+                                          testing::Values(Meeting::kWalksInto, Meeting::kKicksTheBallTo)),
+                         nameOf);
+// Kinematic robots do not fall, but others fall onto them.
+INSTANTIATE_TEST_SUITE_P(OverOthers, MixedLevels,
+                         testing::Combine(testing::ValuesIn(kDynamic), testing::ValuesIn(kAll),
+                                          testing::Values(Meeting::kFallsOnto)),
+                         nameOf);
 
 // ------------------------------------------------------------------------------------------------------- bounces
 
 /// e of a ball that flies at the toe of a robot in flight.
-double restitutionOnFoot(const std::string& motion, const std::string& integration, double stiffness) {
+double restitutionOnFoot(const std::string& motion, const std::string& integration, double stiffness,
+                         double frame = 1e-3) {
   std::vector<std::string> overrides = {"ball.present=true", "ball.position=[3, 3]",
-                                        fmt::format("surfaces.ball-sole.stiffness={}", stiffness)};
+                                        fmt::format("surfaces.ball-sole.stiffness={}", stiffness),
+                                        fmt::format("simulation.frame={}", frame)};
   if (!integration.empty()) overrides.push_back("robots.all.integration=" + integration);
   Robots one({motion}, overrides);
   const BodyPath path(one.simulation().linked(), one.robot(0));
@@ -152,7 +185,7 @@ double restitutionOnFoot(const std::string& motion, const std::string& integrati
   constexpr double kSpeed = 2, kRadius = 0.07;
   one.putBall(X_WF * Vector3{0.075 + kRadius + 0.004, 0, -0.029}, {-kSpeed, 0, one.motion(0).get().v.z});
   double separating = 0;
-  for (int i = 0; i < 60; ++i) {
+  for (double t = 0; t < 0.06; t += frame) {
     one.simulation().step();
     const Vector3 toe_S{0.075, 0, -0.029};
     const Vector3 toe = (path.end(row) * toe_S - path.last(row) * toe_S) * (1 / one.simulation().frameLength());
@@ -163,14 +196,31 @@ double restitutionOnFoot(const std::string& motion, const std::string& integrati
   return 0;
 }
 
+constexpr const char* kIntegrators[] = {"implicit_euler", "semi_implicit_euler", "midpoint", "runge_kutta_4",
+                                        "dormand_prince"};
+const double kRootOfFactor = std::sqrt(0.5);
+
 TEST(BallOnAFoot, BouncesWithTheRootOfItsFactorWhateverTheRobotsIntegrator) {
-  // 1e5 N/m: the ball is gone before the servos answer.
-  for (const char* integrator :
-       {"implicit_euler", "semi_implicit_euler", "midpoint", "runge_kutta_4", "dormand_prince"})
-    EXPECT_NEAR(restitutionOnFoot("multibody_dynamics", integrator, 1e5), std::sqrt(0.5), 0.02 * std::sqrt(0.5))
+  // 1e5 N/m: the ball is gone before the joints give way.
+  for (const char* integrator : kIntegrators)
+    EXPECT_NEAR(restitutionOnFoot("multibody_dynamics", integrator, 1e5), kRootOfFactor, 0.02 * kRootOfFactor)
         << integrator;
-  EXPECT_NEAR(restitutionOnFoot("composite_body_dynamics", "", 1e5), std::sqrt(0.5), 0.02 * std::sqrt(0.5));
-  EXPECT_NEAR(restitutionOnFoot("simplified_dynamics", "", 1e5), std::sqrt(0.5), 0.02 * std::sqrt(0.5));
+  EXPECT_NEAR(restitutionOnFoot("composite_body_dynamics", "", 1e5), kRootOfFactor, 0.02 * kRootOfFactor);
+  // As one body; w h of ball and foot is 0.19 at 3e3 N/m, and 0.34 at 1e4.
+  for (const double stiffness : {1e3, 3e3, 1e4, 1e5})
+    EXPECT_NEAR(restitutionOnFoot("simplified_dynamics", "", stiffness), kRootOfFactor, 0.02 * kRootOfFactor);
+}
+
+// The damping of a leg's joints holds the foot back while a soft contact lasts, so that the ball leaves 3 % faster from
+// it at 3e3 N/m than the formula of two bodies says. Steps of a tenth tell how much.
+TEST(BallOnAFoot, OfLimbsThatGiveWayBouncesAsInStepsOfATenth) {
+  for (const double stiffness : {3e3, 1e4}) {
+    const double exact = restitutionOnFoot("multibody_dynamics", "midpoint", stiffness, 1e-4);
+    EXPECT_NEAR(exact, kRootOfFactor, 0.04 * kRootOfFactor) << stiffness;
+    for (const char* integrator : kIntegrators)
+      EXPECT_NEAR(restitutionOnFoot("multibody_dynamics", integrator, stiffness), exact, 0.01 * exact)
+          << integrator << " " << stiffness;
+  }
 }
 
 }  // namespace
