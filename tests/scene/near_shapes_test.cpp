@@ -131,46 +131,89 @@ TEST(NearShapes, LookAtShapesAgainOnlyWhenTheyMayHaveMet) {
   EXPECT_LT(tested, listed / 5) << "they hardly move";
 }
 
-TEST(ShapeTravel, BoundsTheWayOfASlidersEndWhenTheRobotTurns) {
-  BuiltWorld built(
-      "[referee]\nenabled = false\n[ball]\npresent = false\n[robots.red.1]\n"
-      "file = \"tests/data/hopper.urdf\"\npose = [0, 0, 0]\nlevel = \"full\"\n");
-  const std::unique_ptr<Simulation> simulation = built.simulation();
-  LinkedWorld& linked = simulation->linked();
-  const ObjectId robot = simulation->world().find("robots.red.1");
-  simulation->step();  // which places it
-  linked.handle(robot, kBasePose).set({{}, {0, 0, 5}});
-  linked.handle(robot, kBaseVelocity).set({{5, 0, 0}, {}});
-  linked.handle(robot, kJointPosition, subset::kJoints).set(0.3, 0);
-  linked.handle(robot, kJointCommand, subset::kJoints).set({0.3, 0, 0, 1, 0}, 0);
-  for (int i = 0; i < 5; ++i) simulation->step();
+/// A robot with sliders, off the ground.
+class SlidersInFlight {
+ public:
+  SlidersInFlight() {
+    simulation_->step();  // which places it
+    travel_.reserve(seen_);
+  }
+  void put(const Pose& X_WB, const SpatialMotion<double>& motion) {
+    linked_.handle(robot_, kBasePose).set(X_WB);
+    linked_.handle(robot_, kBaseVelocity).set(motion);
+  }
+  /// A joint that is commanded to stay there.
+  void slideOut(int joint, double position) {
+    linked_.handle(robot_, kJointPosition, subset::kJoints).set(position, joint);
+    linked_.handle(robot_, kJointVelocity, subset::kJoints).set(0, joint);
+    linked_.handle(robot_, kJointCommand, subset::kJoints).set({position, 0, 0, 1, 0}, joint);
+  }
+  void step() {
+    simulation_->step();
+    seen_.begin(simulation_->frame(), simulation_->frameLength());
+    travel_.follow(seen_, simulation_->frame());
+  }
+  /// Of the far face of a shape, in the world.
+  Vector3 end(std::size_t shape, double sign) {
+    const Obstacle& s = seen_.shapes()[shape];
+    return seen_.bodyPose(s.row) * (s.X_BS * Vector3{0, 0, sign * s.shape.half_size.z});
+  }
+  const Travel& travel(std::size_t shape) const { return travel_.of(shape); }
 
-  ContactTable table(simulation->world());
-  std::vector<SharedKind> kinds;
-  ContactRobot seen(simulation->world(), linked, robot, table, kinds);
-  ShapeTravel travel;
-  travel.reserve(seen);
-  const auto follow = [&] {
-    simulation->step();
-    seen.begin(simulation->frame(), simulation->frameLength());
-    travel.follow(seen, simulation->frame());
-  };
-  for (int i = 0; i < 3; ++i) follow();
-  const std::size_t foot = 1;
-  const Obstacle& shape = seen.shapes()[foot];
-  ASSERT_EQ(shape.row, 1);
-  const auto end = [&] { return seen.bodyPose(shape.row) * (shape.X_BS * Vector3{0, 0, -shape.shape.half_size.z}); };
-  const Vector3 first = end();
-  const double before = travel.of(foot).before;
+ private:
+  BuiltWorld built_{
+      "[referee]\nenabled = false\n[ball]\npresent = false\n[robots.red.1]\n"
+      "file = \"tests/data/hopper.urdf\"\npose = [0, 0, 0]\nlevel = \"full\"\n"};
+  std::unique_ptr<Simulation> simulation_ = built_.simulation();
+  LinkedWorld& linked_ = simulation_->linked();
+  ObjectId robot_ = simulation_->world().find("robots.red.1");
+  ContactTable table_{simulation_->world()};
+  std::vector<SharedKind> kinds_;
+  ContactRobot seen_{simulation_->world(), linked_, robot_, table_, kinds_};
+  ShapeTravel travel_;
+};
+
+TEST(ShapeTravel, BoundsTheWayOfASlidersEndWhenTheRobotTurns) {
+  constexpr std::size_t kFoot = 1;
+  SlidersInFlight robot;
+  robot.put({{}, {0, 0, 5}}, {{5, 0, 0}, {}});
+  robot.slideOut(0, 0.3);
+  for (int i = 0; i < 8; ++i) robot.step();
+  const Vector3 first = robot.end(kFoot, -1);
+  const double before = robot.travel(kFoot).before;
   double way = 0;
   for (int i = 0; i < 100; ++i) {
-    follow();
-    const double gone = norm(end() - first);
-    EXPECT_LE(gone, travel.of(foot).now - before) << i;
+    robot.step();
+    const double gone = norm(robot.end(kFoot, -1) - first);
+    EXPECT_LE(gone, robot.travel(kFoot).now - before) << i;
     way = std::max(way, gone);
   }
   EXPECT_GT(way, 0.1) << "it turns and falls";
-  EXPECT_LT(travel.of(foot).now - before, 10) << "a bound, not kUnknown";
+  EXPECT_LT(robot.travel(kFoot).now - before, 10) << "a bound, not kUnknown";
+}
+
+// The weight on its lift: 0.12 m above the trunk's centre, 0.3 m out, and no point of it farther than e = 0.069 m from
+// its body's origin. Turned about the trunk's centre its top goes 0.46 m per radian. A lever that forgot how far the
+// slider is out would be 0.189 m, sqrt(2) times that (|dR| of a small turn) 0.267 m: less than the way.
+TEST(ShapeTravel, CountsHowFarASliderIsOutAsItsLeverWhereTheRobotTurnsOnTheSpot) {
+  constexpr std::size_t kWeight = 2;
+  constexpr double kTurn = 0.005, kOut = 0.3;  // [rad] a frame, [m]
+  SlidersInFlight robot;
+  int turns = 0;
+  const auto turn = [&] {
+    robot.put({rotationY(kTurn * ++turns), {0, 0, 5}}, {});
+    robot.slideOut(1, kOut);
+    robot.step();
+  };
+  for (int i = 0; i < 8; ++i) turn();
+  const Vector3 first = robot.end(kWeight, 1);
+  const double before = robot.travel(kWeight).before;
+  constexpr int kFrames = 40;
+  for (int i = 0; i < kFrames; ++i) turn();
+  const double gone = norm(robot.end(kWeight, 1) - first), bound = robot.travel(kWeight).now - before;
+  EXPECT_NEAR(gone, 2 * 0.46 * std::sin(0.5 * kFrames * kTurn), 1e-3);
+  EXPECT_LE(gone, bound);
+  EXPECT_LT(bound, 2 * gone) << "sqrt(2) of the norm, and half as much again of e";
 }
 
 }  // namespace
