@@ -65,6 +65,8 @@ MUROSIMF_INLINE void addPointMass(ArticulatedInertia<S>& a, const Vec3<S>& r, co
 template <class S>
 struct PointResponse {
   S force{}, mass{};
+  /// >= 0, on a body that does not accelerate, as one that stands or rolls.
+  MUROSIMF_INLINE S steady() const { return max(fnma(mass, S(kGravity), force), S(0)); }
 };
 
 /// One point. Adds nothing where the point will not be below the ground.
@@ -119,7 +121,7 @@ MUROSIMF_INLINE void addGroundShape(const GroundShape& shape, const GroundedBody
     const PointResponse<S> response = addGroundPoint(shape.pair, body, r, S(shape.stiffness), h, sum);
     visit(number, response);
     if (shape.kind == GroundShape::Kind::kEllipsoid)
-      addTurningFriction(shape.pair, body.velocity.w, max(response.force, S(0)), h, sum);
+      addTurningFriction(shape.pair, body.velocity.w, response.steady(), h, sum);
   });
 }
 

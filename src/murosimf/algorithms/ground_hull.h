@@ -29,7 +29,7 @@ MUROSIMF_INLINE void addGroundCapsule(const GroundShape& shape, const GroundedBo
   for (int end = 0; end < 2; ++end) {
     const Vec3<S> r = pointOnBody<S>(shape.corners[end]) - body.up * S(shape.half_size[0]);
     const PointResponse<S> response = addGroundPoint(shape.pair, body, r, S(shape.stiffness), h, sum);
-    addTurningFriction(shape.pair, body.velocity.w, max(response.force, S(0)), h, sum);
+    addTurningFriction(shape.pair, body.velocity.w, response.steady(), h, sum);
   }
 }
 
