@@ -56,6 +56,10 @@ TEST(Program, ReportHasWhatPeopleLookFor) {
                           "state_hashes", "stages"}) {
     EXPECT_TRUE(report.contains(key)) << key;
   }
+  for (const char* key : {"robot_pairs_near_mean", "shape_pairs_near_mean", "shape_pairs_tested_mean", "points_mean",
+                          "points_most", "deepest"}) {
+    EXPECT_TRUE(report["robot_contacts"].contains(key)) << key;
+  }
   EXPECT_DOUBLE_EQ(report["simulated_seconds"].get<double>(), 2.0);
   EXPECT_EQ(report["state_hashes"].size(), 2u);
   EXPECT_TRUE(report["score"].contains("red"));

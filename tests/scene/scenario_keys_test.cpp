@@ -1,13 +1,10 @@
 // The table of keys is what the reader does and what the documentation says.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <fstream>
 #include <set>
-#include <sstream>
 
 #include "murosimf/scene/scenario_keys.h"
-#include "scene/scenario_for_test.h"
+#include "scene/documented_table.h"
 
 namespace murosimf::test {
 namespace {
@@ -86,25 +83,7 @@ TEST(ScenarioKeys, EveryWordOfTheTableIsTaken) {
   }
 }
 
-/// docs/scenario_format.md holds the table between two marks. With MUROSIMF_UPDATE_DOCS set, this writes it there.
-TEST(ScenarioKeys, TheDocumentationHoldsTheTable) {
-  const std::filesystem::path file = kRoot / "docs/scenario_format.md";
-  std::ostringstream stream;
-  stream << std::ifstream(file).rdbuf();
-  std::string text = stream.str();
-  const std::string begin = "<!-- keys: begin -->\n", end = "<!-- keys: end -->";
-  const std::size_t first = text.find(begin), last = text.find(end);
-  ASSERT_NE(first, text.npos);
-  ASSERT_NE(last, text.npos);
-  const std::size_t start = first + begin.size();
-  if (std::getenv("MUROSIMF_UPDATE_DOCS") != nullptr) {
-    text.replace(start, last - start, scenarioKeysAsMarkdown());
-    std::ofstream(file) << text;
-    return;
-  }
-  EXPECT_EQ(text.substr(start, last - start), scenarioKeysAsMarkdown())
-      << "MUROSIMF_UPDATE_DOCS=1 build/release/tests/test_scene writes the table anew";
-}
+TEST(ScenarioKeys, TheDocumentationHoldsTheTable) { expectDocumented("keys", scenarioKeysAsMarkdown()); }
 
 }  // namespace
 }  // namespace murosimf::test
