@@ -137,7 +137,7 @@ TEST(RobotCrowd, GoesOnFromACheckpointWithTheSameBits) {
   EXPECT_EQ(simulation->stateHash(), restored->stateHash());
 }
 
-TEST(RobotHeap, OfTenComesToRest) {
+TEST(RobotHeap, OfTenLimpRobotsCalmsDown) {
   Robots ten(std::vector<std::string>(10, "multibody_dynamics"));
   for (std::size_t i = 0; i < ten.count(); ++i) {
     const double n = static_cast<double>(i);

@@ -118,5 +118,39 @@ TEST(LimpRobot, FoldsUpAndLiesStillAfterASecondMore) {
   }
 }
 
+/// Scenario in which dry friction creeps with 0.2 mm/s at most instead of 2 and 10.
+std::vector<std::string> thatHardlyCreeps() {
+  std::vector<std::string> overrides{"robots.all.contact=hunt_crossley_contact"};
+  for (const char* pair : {"plastic-turf", "sole-turf", "plastic-plastic", "plastic-sole", "sole-sole"})
+    overrides.push_back(fmt::format("surfaces.{}.stick_speed=0.0002", pair));
+  return overrides;
+}
+
+// A heap in which friction creeps slips now and then until it lies flat, as sand on a table that is tapped. Limbs that
+// slide off others take most of the time.
+TEST(RobotHeap, OfTenThatFallOnOneAnotherComesToRest) {
+  for (const char* motion : {"multibody_dynamics", "simplified_dynamics"}) {
+    Robots ten(std::vector<std::string>(10, motion), thatHardlyCreeps());
+    const controllers::JointAngles ready = controllers::walkingPose({}, 0, 0, {});
+    for (std::size_t k = 0; k < ten.count(); ++k) {
+      const double n = static_cast<double>(k);
+      ten.commandAll(k, ready);
+      ten.put(k, {rotationExp(Vector3{n, 0.5 * static_cast<double>(k % 3), 0}),
+                  {0.05 * static_cast<double>(k % 3), 0.04 * static_cast<double>(k % 4), 0.4 + 0.5 * n}});
+    }
+    double moving = 0;
+    while (ten.simulation().time() < moving + 1 && ten.simulation().time() < 20) {
+      ten.simulation().step();
+      for (std::size_t k = 0; k < ten.count(); ++k) {
+        if (ten.kineticEnergy(k) > 1e-4) moving = ten.simulation().time();
+      }
+    }
+    EXPECT_LT(moving, 18) << motion << ": then nobody had 1e-4 J for a second";
+    EXPECT_LT(ten.deepest(), 1e-3) << motion;
+    EXPECT_GT(ten.simulation().pairs().counts().found, 4) << motion;
+    EXPECT_TRUE(ten.simulation().guard().faults().empty());
+  }
+}
+
 }  // namespace
 }  // namespace murosimf::test
