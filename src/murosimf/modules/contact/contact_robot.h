@@ -10,57 +10,14 @@
 /// Shapes     those that contact_detail says (shape_detection.h); none where it is not there.
 /// Cost       some 10 ns a robot that touches nothing; else what kept_response.h says, and 0.1 us a body that touches.
 
-#include <array>
 #include <memory>
 
-#include "murosimf/algorithms/collision/collision_shape.h"
 #include "murosimf/algorithms/kept_response.h"
 #include "murosimf/linking/body_path.h"
 #include "murosimf/math/state_archive.h"
-#include "murosimf/modules/contact/contact_table.h"
-#include "murosimf/modules/contact/shape_detection.h"
+#include "murosimf/modules/contact/robot_kind.h"
 
 namespace murosimf {
-
-/// One shape of a robot's body or of something fixed.
-struct Obstacle {
-  int row = 0;  ///< body that carries it
-  Pose X_BS;
-  Shape shape;
-  CollisionShape collision;
-  double reach = 0;          ///< bounding radius [m]
-  double farthest = 0;       ///< no point of it is farther from its body's origin [m]
-  double thickness = 0;      ///< half of its smallest extent [m]
-  std::uint16_t number = 0;  ///< among the shapes of its object, also those that do not collide
-  int touch_sensor = -1;     ///< of the robot; -1: none feels it
-  int kind = 0;              ///< in the table of contacts
-  friend bool operator==(const Obstacle&, const Obstacle&) = default;
-};
-using DetailedShapes = std::array<std::vector<Obstacle>, kContactDetails>;
-/// How a body hangs on its parent.
-struct Limb {
-  int parent = -1;
-  double length = 0;  ///< from the parent's origin to the joint [m]
-  bool turns = true;  ///< revolute; else prismatic
-  friend bool operator==(const Limb&, const Limb&) = default;
-};
-/// What robots of one kind share: a thousand of their own would not stay in the cache.
-struct RobotKind {
-  DetailedShapes shapes;    ///< of each ContactDetail
-  std::vector<Limb> limbs;  ///< of each body; none where the tree is not known
-  friend bool operator==(const RobotKind&, const RobotKind&) = default;
-};
-using SharedKind = std::shared_ptr<const RobotKind>;
-/// Those that collide. They refer to the world's hulls.
-std::vector<Obstacle> obstaclesOf(const World& world, ObjectId object, ContactTable& table);
-
-/// One shape of something that never moves.
-struct FixedObstacle {
-  ObjectId object;
-  std::uint64_t name = 0;
-  Pose X_WB;
-  Obstacle shape;
-};
 
 class ContactRobot {
  public:
