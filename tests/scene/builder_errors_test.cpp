@@ -52,7 +52,7 @@ TEST(BuilderErrors, UnknownCameraAndModuleAndParameters) {
                       "chest = {noise = 0.6, gian = 1.0, gain = 0, antialias = 1}"),
                {"9:8: robots.red.1 has no camera \"hed\"; it has ",
                 "10:18: robots.red.1: unknown camera module "
-                "\"ray_castor\"; expected none, ray_caster or oracle (did you mean \"ray_caster\"?)",
+                "\"ray_castor\"; expected one of none, ray_caster, oracle (did you mean \"ray_caster\"?)",
                 "11:18: noise is 0.6, expected a number from 0 to 0.5",
                 "11:23: module ray_caster has no parameter \"gian\"; it knows noise, gain, antialias, shadows, "
                 "lens, extrapolate, chain, format, rolling_shutter_readout, motion_blur_exposure, ",

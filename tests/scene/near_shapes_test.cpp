@@ -136,7 +136,7 @@ class SlidersInFlight {
  public:
   SlidersInFlight() {
     simulation_->step();  // which places it
-    travel_.reserve(seen_);
+    travel_.reserve(seen_, numbers_);
   }
   void put(const Pose& X_WB, const SpatialMotion<double>& motion) {
     linked_.handle(robot_, kBasePose).set(X_WB);
@@ -151,7 +151,7 @@ class SlidersInFlight {
   void step() {
     simulation_->step();
     seen_.begin(simulation_->frame(), simulation_->frameLength());
-    travel_.follow(seen_, simulation_->frame());
+    travel_.follow(seen_, simulation_->frame(), ways_);
   }
   /// Of the far face of a shape, in the world.
   Vector3 end(std::size_t shape, double sign) {
@@ -170,6 +170,8 @@ class SlidersInFlight {
   ContactTable table_{simulation_->world()};
   std::vector<SharedKind> kinds_;
   ContactRobot seen_{simulation_->world(), linked_, robot_, table_, kinds_};
+  std::vector<double> numbers_ = std::vector<double>(ShapeTravel::numbersOf(seen_));
+  std::vector<ShapeTravel::Way> ways_ = std::vector<ShapeTravel::Way>(seen_.limbs().size());
   ShapeTravel travel_;
 };
 

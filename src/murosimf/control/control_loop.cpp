@@ -137,6 +137,7 @@ void ControlLoop::publish(long frame) {
   if (!timing_.paced) pool_->wait();
   for (Runner* runner : programmed_) collect(*runner, frame + 1);
   deliverMessages();
+  orderPictures();
   for (Runner* runner : programmed_) {
     if (!runner->runs()) continue;
     if (runner->answered) {
@@ -144,6 +145,24 @@ void ControlLoop::publish(long frame) {
     } else {
       launch(*runner, frame);
     }
+  }
+}
+
+/// All robots' before the first one begins to look: a maker may work on the pictures of several cameras together.
+void ControlLoop::orderPictures() {
+  for (auto& runner : robots_) {
+    if (!runner->runs() || runner->answered) continue;
+    std::swap(runner->exposures, runner->waiting);
+    for (std::size_t i = 0; i < runner->exposures.size(); ++i) {
+      const Exposure& exposure = runner->exposures[i];
+      if (exposure.snapshot == kNoSnapshot) continue;
+      runner->controlled.camera(i)->order(snapshots_->scene(exposure.snapshot), exposure.place, exposure.frame);
+    }
+  }
+  for (auto& runner : robots_) {
+    if (!runner->runs() || runner->answered) continue;
+    for (std::size_t i = 0; i < runner->exposures.size(); ++i)
+      if (runner->exposures[i].snapshot != kNoSnapshot) runner->controlled.camera(i)->start();
   }
 }
 
@@ -157,7 +176,6 @@ void ControlLoop::launch(Runner& runner, long frame) {
   }
   runner.sensors.team_messages = runner.messages;
   tellPoses(runner, frame);
-  std::swap(runner.exposures, runner.waiting);
   runner.asked = frame;
   runner.answered = true;
   for (ControlObserver* observer : observers_) observer->onSensors(runner.index, frame);

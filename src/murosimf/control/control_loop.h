@@ -116,18 +116,19 @@ class ControlLoop {
   void deliverSights(Runner& runner, std::size_t camera);
   void collect(Runner& runner, long next_frame);
   void deliverMessages();
+  void orderPictures();
   void launch(Runner& runner, long frame);
   void tellPoses(Runner& runner, long frame);
   void runTask(Runner& runner);
   void render(Runner& runner);
   void stepProgram(Runner& runner);
 
+  std::unique_ptr<SnapshotShelf> snapshots_;  // ends behind the cameras, which may still look at it
   std::vector<std::unique_ptr<Runner>> robots_;
   std::vector<Runner*> programmed_;  // those with a program: of a thousand robots without one none is looked at
   const SceneView& view_;
   ControlTiming timing_;
   double frame_length_;
-  std::unique_ptr<SnapshotShelf> snapshots_;
   std::vector<ControlObserver*> observers_;
   std::unique_ptr<ProgramPool> pool_;  // ends before what its tasks use
 };

@@ -57,9 +57,8 @@ void ControlLoop::render(Runner& runner) {
   runner.pictures.clear();
   runner.sights.clear();
   for (std::size_t i = 0; i < runner.exposures.size(); ++i) {
-    const Exposure& exposure = runner.exposures[i];
-    if (exposure.snapshot == kNoSnapshot) continue;
-    runner.controlled.camera(i)->render(snapshots_->scene(exposure.snapshot), exposure.place, exposure.frame);
+    if (runner.exposures[i].snapshot == kNoSnapshot) continue;
+    runner.controlled.camera(i)->look();
     ++runner.counts.pictures;
   }
   for (std::size_t i = 0; i < runner.exposures.size(); ++i) {

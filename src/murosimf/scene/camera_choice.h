@@ -16,10 +16,12 @@ struct CameraChoice {
   bool on = true;
   RobotCameraSettings settings;
   std::optional<OracleSettings> oracle;  ///< given: level "oracle", no pictures
+  SourceLocation where;                  ///< of the module's name, or of what stands for it
 };
 /// @param control_period  [s]; pictures are delivered with sensor frames, so none may come more often
+/// @param makers  whom scenarios can name
 CameraChoice cameraChoice(const RobotSettings& robot, const CameraMount& mount, double control_period,
-                          Diagnostics& diagnostics);
+                          const PictureMakers& makers, Diagnostics& diagnostics);
 /// Reports cameras that the scenario names but the robot does not have.
 void reportUnknownCameras(const RobotSettings& robot, const RobotModel& model, Diagnostics& diagnostics);
 

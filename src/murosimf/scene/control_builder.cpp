@@ -29,12 +29,22 @@ std::shared_ptr<const RayTable> WorldBuilder::raysOf(const CameraMount& mount, O
 void WorldBuilder::chooseCameras(Outfit& outfit) {
   reportUnknownCameras(*outfit.robot, *outfit.model, diagnostics_);
   for (const CameraMount& mount : outfit.model->cameras) {
-    outfit.cameras.push_back(cameraChoice(*outfit.robot, mount, *scene_.simulation.control_period, diagnostics_));
+    outfit.cameras.push_back(
+        cameraChoice(*outfit.robot, mount, *scene_.simulation.control_period, makers_, diagnostics_));
     const ObjectId camera = world_->find(world_->path(outfit.id) + "." + mount.name);
     const CameraChoice& choice = outfit.cameras.back();
     outfit.rays.push_back(choice.on && !choice.oracle ? raysOf(mount, camera) : nullptr);
+    if (outfit.rays.back() != nullptr) checkGround(choice);
   }
   outfit.localisation = localisationChoice(*outfit.robot, diagnostics_);
+}
+
+void WorldBuilder::checkGround(const CameraChoice& choice) {
+  const PaintedGround* ground = world_->findShared(world_->root(), kGround);
+  if (choice.settings.maker->can.texture || ground == nullptr || ground->texture == nullptr) return;
+  diagnostics_.error(choice.where, fmt::format("camera module {} draws no picture on the carpet, expected a field "
+                                               "without texture, or module = \"ray_caster\"",
+                                               choice.settings.maker->name));
 }
 
 void WorldBuilder::chooseProgram(Outfit& outfit, const ControlPrograms& programs) {
@@ -88,9 +98,22 @@ void WorldBuilder::addCameras(const Outfit& outfit, const SceneView& view, Contr
           std::make_unique<OracleCamera>(*world_, view, outfit.id, objects[i], *world_->find(objects[i], kCameraModel),
                                          landmarks, *choice.oracle, seed, frame);
     } else if (outfit.rays[i] != nullptr) {
-      picture = std::make_unique<RobotCamera>(*world_, view, outfit.id, objects[i], outfit.rays[i], choice.settings,
-                                              seed, frame);
+      picture = makeCamera(outfit, view, i);
     }
+  }
+}
+
+/// Null where its maker finds that it cannot work on this machine.
+std::unique_ptr<RobotCamera> WorldBuilder::makeCamera(const Outfit& outfit, const SceneView& view,
+                                                      std::size_t number) const {
+  const ObjectId camera = world_->members(outfit.id, kCamerasSubset)[number];
+  const CameraChoice& choice = outfit.cameras[number];
+  try {
+    return std::make_unique<RobotCamera>(*world_, view, outfit.id, camera, outfit.rays[number], choice.settings,
+                                         *scene_.simulation.seed, *scene_.simulation.frame);
+  } catch (const std::exception& problem) {
+    diagnostics_.error(choice.where, fmt::format("camera {}: {}", world_->path(camera), problem.what()));
+    return nullptr;
   }
 }
 

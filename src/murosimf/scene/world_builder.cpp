@@ -138,7 +138,9 @@ void WorldBuilder::addBall() {
   participants_.free_bodies.push_back(ball);
 }
 
-std::unique_ptr<Simulation> WorldBuilder::link(const ModuleRegistry& registry, const ControlPrograms& programs) {
+std::unique_ptr<Simulation> WorldBuilder::link(const ModuleRegistry& registry, const ControlPrograms& programs,
+                                               const PictureMakers& makers) {
+  makers_ = makers;
   addContactRules(*world_, scene_, participants_, diagnostics_);
   Linker linker(*world_, registry, {*scene_.simulation.frame, *scene_.simulation.lanes});
   linker.alsoKnows({std::string(kMass.name), std::string(kBlockingRadius.name), std::string(kServoFile.name)});
@@ -155,6 +157,7 @@ std::unique_ptr<Simulation> WorldBuilder::link(const ModuleRegistry& registry, c
   std::unique_ptr<Simulation> simulation = joinAll(std::move(linked));
   if (simulation == nullptr) return nullptr;
   attachControl(*simulation);
+  if (diagnostics_.hasErrors()) return nullptr;
   placeAll(*simulation);
   addFocus(*simulation);
   return simulation;
@@ -244,7 +247,7 @@ client::RobotDescription WorldBuilder::describe(const RobotSettings& robot) cons
   }
   for (const CameraMount& camera : model.cameras) {
     Diagnostics told_already;
-    const CameraChoice choice = cameraChoice(robot, camera, *scene_.simulation.control_period, told_already);
+    const CameraChoice choice = cameraChoice(robot, camera, *scene_.simulation.control_period, makers_, told_already);
     const ObjectId id = world_->find(robot.path() + "." + camera.name);
     d.cameras.push_back(describeCamera(camera, *world_->find(id, kCameraModel), model, choice.settings.period));
   }

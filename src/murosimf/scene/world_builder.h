@@ -42,7 +42,8 @@ class WorldBuilder {
   /// Somebody else who reads properties of robots: a window.
   void attach(Attachment attachment) { attachments_.push_back(std::move(attachment)); }
   /// Links modules to robots, gives them cameras and control software, and asks for the initial placements.
-  std::unique_ptr<Simulation> link(const ModuleRegistry& registry, const ControlPrograms& programs);
+  std::unique_ptr<Simulation> link(const ModuleRegistry& registry, const ControlPrograms& programs,
+                                   const PictureMakers& makers = rayCasterAlone());
   /// What control software is told about a robot.
   client::RobotDescription describe(const RobotSettings& robot) const;
 
@@ -67,9 +68,11 @@ class WorldBuilder {
   std::unique_ptr<Simulation> joinAll(std::unique_ptr<LinkedWorld> linked);
   bool assignModules(Linker& linker, const ModuleRegistry& registry);
   void chooseCameras(Outfit& outfit);
+  void checkGround(const CameraChoice& choice);
   void chooseProgram(Outfit& outfit, const ControlPrograms& programs);
   std::vector<Landmark> allLandmarks() const;
   void addCameras(const Outfit& outfit, const SceneView& view, ControlledRobot& robot) const;
+  std::unique_ptr<RobotCamera> makeCamera(const Outfit& outfit, const SceneView& view, std::size_t number) const;
   std::unique_ptr<PoseOracle> makeLocalisation(const Outfit& outfit, long control_period) const;
   void attachControl(Simulation& simulation) const;
   void placeAll(Simulation& simulation) const;
@@ -80,6 +83,7 @@ class WorldBuilder {
   Diagnostics& diagnostics_;
   ServoBuilder servos_;
   LensBuilder lenses_;
+  PictureMakers makers_ = rayCasterAlone();
   std::shared_ptr<World> world_;
   Participants participants_;
   std::map<std::string, std::unique_ptr<RobotBlueprint>> blueprints_;

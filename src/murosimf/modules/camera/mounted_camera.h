@@ -34,9 +34,20 @@ class MountedCamera {
 
   /// Whether a look needs the motion of camera and things.
   virtual bool needsMotion() const = 0;
-  /// Looks at a snapshot. May run on any thread while the simulation goes on; reads only its arguments. The scene needs
-  /// motions where needsMotion().
-  virtual void render(const RayScene& scene, const MovingCamera& place, long frame) = 0;
+  /// A look at a snapshot goes through three steps. The scene, which must stay as it is until the last one is done,
+  /// needs motions where needsMotion().
+  /// Frame thread: takes the order.
+  virtual void order(const RayScene& scene, const MovingCamera& place, long frame) = 0;
+  /// Frame thread, when all cameras of the moment have their orders.
+  virtual void start() {}
+  /// Any thread, while the simulation goes on: does the work that was ordered.
+  virtual void look() = 0;
+  /// All three, of a camera that is alone.
+  void render(const RayScene& scene, const MovingCamera& place, long frame) {
+    order(scene, place, frame);
+    start();
+    look();
+  }
   /// Lets arrive what has spent its time on the way by the end of this frame. @return false where nothing does
   virtual bool deliver(long frame) = 0;
   virtual void archive(StateArchive& archive) = 0;

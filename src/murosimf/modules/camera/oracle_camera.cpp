@@ -74,9 +74,10 @@ OracleCamera::OracleCamera(const World& world, const SceneView& view, ObjectId r
   }
 }
 
-void OracleCamera::render(const RayScene& scene, const MovingCamera& place, long frame) {
-  const LookMoment moment{static_cast<std::uint64_t>(frame + 1), timeOf(frame), place.X_WC};
-  distorter_.distort(eye_, eye_.look(scene, place.X_WC), moment, told_);
+void OracleCamera::look() {
+  const auto& [scene, X_WC, frame] = order_;
+  const LookMoment moment{static_cast<std::uint64_t>(frame + 1), timeOf(frame), X_WC};
+  distorter_.distort(eye_, eye_.look(*scene, X_WC), moment, told_);
   for (std::size_t k = 0; k < kSightKinds; ++k) queues_[k].add(told_[k], frame);
 }
 

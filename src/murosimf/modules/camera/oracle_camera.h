@@ -67,15 +67,24 @@ class OracleCamera final : public MountedCamera {
   const CameraModel& model() const { return eye_.camera(); }
   const OracleSettings& settings() const { return settings_; }
   bool needsMotion() const override { return false; }
-  void render(const RayScene& scene, const MovingCamera& place, long frame) override;
+  void order(const RayScene& scene, const MovingCamera& place, long frame) override {
+    order_ = {&scene, place.X_WC, frame};
+  }
+  void look() override;
   bool deliver(long frame) override;
   /// What the last deliver() let arrive, at most a look of each kind.
   std::span<const ArrivedSights> arrived() const { return std::span(arrived_).first(arrived_count_); }
   void archive(StateArchive& archive) override;
 
  private:
+  struct Order {
+    const RayScene* scene = nullptr;
+    Pose X_WC;
+    long frame = 0;
+  };
   std::vector<Landmark> landmarks_;
   OracleSettings settings_;
+  Order order_;
   OracleEye eye_;
   SightDistorter distorter_;
   SightingsByKind told_;

@@ -6,9 +6,8 @@
 #include <string>
 
 #include "murosimf/algorithms/light/pixel_format.h"
-#include "murosimf/algorithms/light/shutter.h"
-#include "murosimf/algorithms/ray_caster.h"
 #include "murosimf/modules/camera/mounted_camera.h"
+#include "murosimf/modules/camera/picture_maker.h"
 #include "murosimf/modules/camera/picture_modules.h"
 #include "murosimf/modules/camera/picture_queue.h"
 
@@ -20,9 +19,9 @@ struct PictureStep {
   PictureValues values;
 };
 
-/// Level of detail "ray_caster": casts a ray through the real lens for every pixel.
-/// Parameters of the method; the lens and the mount are constants of the camera's object.
+/// How a camera takes pictures; the lens and the mount are constants of the camera's object.
 struct RobotCameraSettings {
+  std::shared_ptr<const PictureMakerKind> maker = rayCasterKind();
   double period = 0.05;  ///< between pictures [s]
   double phase = 0;      ///< time of the first picture [s]
   double noise = 0.015;  ///< standard deviation, share of full scale; where there is no chain
@@ -42,7 +41,7 @@ struct RobotCameraSettings {
 
 class RobotCamera final : public MountedCamera {
  public:
-  /// @throws std::invalid_argument as MountedCamera does.
+  /// @throws std::invalid_argument as MountedCamera does, and what the maker throws that cannot work on this machine.
   RobotCamera(const World& world, const SceneView& view, ObjectId robot, ObjectId camera,
               std::shared_ptr<const RayTable> rays, const RobotCameraSettings& settings, std::uint64_t seed,
               double frame_length);
@@ -50,8 +49,10 @@ class RobotCamera final : public MountedCamera {
   const CameraModel& model() const { return rays_->camera(); }
   const RobotCameraSettings& settings() const { return settings_; }
   bool needsMotion() const override { return !settings_.isInstant(); }
-  /// Renders a picture.
-  void render(const RayScene& scene, const MovingCamera& place, long frame) override;
+  const PictureMaker& maker() const { return *maker_; }
+  void order(const RayScene& scene, const MovingCamera& place, long frame) override;
+  void start() override { maker_->start(); }
+  void look() override;
   /// Lets the oldest picture arrive that was rendered and has spent the latency on its way by the end of this frame.
   bool deliver(long frame) override;
   /// The picture that has arrived last; where there is no latency, the one that was rendered last.
@@ -63,19 +64,28 @@ class RobotCamera final : public MountedCamera {
   void archive(StateArchive& archive) override;
 
  private:
-  void cast(const RayScene& scene, const MovingCamera& place, std::uint64_t key);
-  void finishLight(std::uint64_t key, long frame);
+  struct Taken {  // a picture that its maker has
+    long frame = 0;
+    std::uint64_t key = 0;
+    double since_last = 0;  // [s]
+  };
+  PictureWish wish() const;
+  void develop();
+  void finishLight(const Taken& taken);
   bool late() const { return settings_.latency > 0; }
+  std::size_t mostOnTheWay() const;
 
   std::shared_ptr<const RayTable> rays_;
   RobotCameraSettings settings_;
   std::uint64_t seed_;
   std::vector<std::unique_ptr<PictureModule>> chain_;
+  std::unique_ptr<PictureMaker> maker_;
   bool gathers_light_;
-  long last_frame_ = -1;  // of the picture before; -1: none
-  ShutterWork work_;
+  long last_frame_ = -1;      // of the picture before; -1: none
+  std::vector<Taken> taken_;  // oldest first
   LightPicture light_;
   Picture picture_, shown_;  // shown_: where there is latency
+  long latency_;             // [frames]
   PictureQueue queue_;
   bool waits_ = false;               // picture_ has not been delivered yet
   std::vector<std::uint8_t> bytes_;  // in a format that is not the picture's
