@@ -64,6 +64,17 @@ class Shooting {
     observers_ = std::make_unique<GameObservers>(scene, *simulation_);
     photographer_ = std::make_unique<Photographer>(scene, *simulation_, arguments.cameras, diagnostics);
   }
+  /// Observers must not be gone while a program still runs, as after a picture that could not be written.
+  ~Shooting() {
+    if (simulation_ == nullptr) return;
+    try {
+      simulation_->control()->finish();
+    } catch (...) {  // NOLINT: it has been thrown before, or nobody is left to tell
+    }
+  }
+  Shooting(const Shooting&) = delete;
+  Shooting& operator=(const Shooting&) = delete;
+
   void takeOne() {
     playTo(arguments_.at);
     writeAs(arguments_.as, arguments_.out, photographer_->take(0), photographer_->objects());

@@ -40,6 +40,12 @@ TEST(Render, ShowsTheSamePictureEachTime) {
   EXPECT_EQ(bytesOf(folder + "/a.png"), bytesOf(folder + "/b.png"));
 }
 
+TEST(Render, SaysWhereItCannotWrite) {
+  const Outcome outcome = runProgram(kGame + "--camera robots.red.1.head --at 0.05 --out no/such/folder/a.png");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.text.find("no/such/folder/a.png"), std::string::npos) << outcome.text;
+}
+
 TEST(Render, DatasetsHaveAPictureOfEveryCameraAtEveryTime) {
   const std::string folder = freshFolder("dataset") + "/set";
   const Outcome outcome =
