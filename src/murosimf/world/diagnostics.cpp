@@ -21,14 +21,16 @@ std::string Diagnostics::text() const {
   std::stable_sort(sorted.begin(), sorted.end(), [](const Diagnostic& a, const Diagnostic& b) {
     return std::tie(a.where.file, a.where.line, a.where.column) < std::tie(b.where.file, b.where.line, b.where.column);
   });
-  std::string out;
+  std::string out, last;
   for (const Diagnostic& d : sorted) {
-    out += d.where.file;
-    if (d.where.line > 0) out += ":" + std::to_string(d.where.line);
-    if (d.where.column > 0) out += ":" + std::to_string(d.where.column);
-    if (!d.where.file.empty()) out += ": ";
-    out += d.severity == Diagnostic::Severity::kError ? "error: " : "warning: ";
-    out += d.message + "\n";
+    std::string line = d.where.file;
+    if (d.where.line > 0) line += ":" + std::to_string(d.where.line);
+    if (d.where.column > 0) line += ":" + std::to_string(d.where.column);
+    if (!d.where.file.empty()) line += ": ";
+    line += d.severity == Diagnostic::Severity::kError ? "error: " : "warning: ";
+    line += d.message + "\n";
+    if (line != last) out += line;
+    last = line;
   }
   return out;
 }

@@ -30,7 +30,8 @@ class Diagnostics {
   bool hasErrors() const { return error_count_ > 0; }
   int errorCount() const { return error_count_; }
   const std::vector<Diagnostic>& all() const { return all_; }
-  /// One line each, `file:line:column: error: message`, in the order of the files' lines.
+  /// One line each, `file:line:column: error: message`, in the order of the files' lines. What is wrong for
+  /// every robot in the same words at the same place is told once.
   std::string text() const;
 
  private:
