@@ -15,10 +15,16 @@ target_link_libraries(murosimf_controllers ${visible} murosimf_client murosimf_m
 
 # How a scenario becomes a game with its referee: what all programs share.
 file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/apps/game/*.cpp")
+if(TARGET murosimf_gl_cameras)
+  list(FILTER sources EXCLUDE REGEX "/apps/game/gl_missing\\.cpp$")
+endif()
 add_library(murosimf_playing STATIC ${sources})
 murosimf_flags(murosimf_playing)
 target_include_directories(murosimf_playing PUBLIC "${PROJECT_SOURCE_DIR}/apps")
 target_link_libraries(murosimf_playing PUBLIC murosimf_murosimf murosimf_controllers)
+if(TARGET murosimf_gl_cameras)
+  target_link_libraries(murosimf_playing PUBLIC murosimf_gl_cameras)
+endif()
 
 file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/apps/murosimf/*.cpp")
 if(sources)

@@ -1,6 +1,7 @@
 #include "game/game.h"
 
 #include "murosimf/modules/all_modules.h"
+#include "murosimf/modules/camera/gl/gl_picture_maker.h"
 #include "murosimf/scene/field_texture.h"
 #include "murosimf/soccer/field.h"
 #include "murosimf/soccer/landmarks.h"
@@ -12,6 +13,12 @@ namespace murosimf {
 ControlPrograms allPrograms() {
   return {{"player", [] { return controllers::makePlayer(); }},
           {"trotter", [] { return controllers::trotter::makeTrotter(); }}};
+}
+
+PictureMakers allPictureMakers() {
+  PictureMakers makers = rayCasterAlone();
+  makers.emplace("opengl", openGlKind());
+  return makers;
 }
 
 std::unique_ptr<Simulation> buildGame(const Scene& scene, Diagnostics& diagnostics, const Watchers& watchers) {
@@ -30,7 +37,7 @@ std::unique_ptr<Simulation> buildGame(const Scene& scene, Diagnostics& diagnosti
   if (watchers) {
     for (Attachment& attachment : watchers(builder.participants())) builder.attach(std::move(attachment));
   }
-  return builder.link(allModules(), allPrograms());
+  return builder.link(allModules(), allPrograms(), allPictureMakers());
 }
 
 }  // namespace murosimf

@@ -12,6 +12,9 @@ namespace murosimf {
 /// The control software that scenarios can name.
 ControlPrograms allPrograms();
 
+/// Those who can make the pictures of a game's cameras, for one game: ray_caster and opengl.
+PictureMakers allPictureMakers();
+
 /// Whoever wants to look at more than the frame itself reads; asked when the robots are known.
 using Watchers = std::function<std::vector<Attachment>(const Participants&)>;
 

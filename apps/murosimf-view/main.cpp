@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "game/picture_drawers.h"
 #include "murosimf-view/viewer.h"
 #include "murosimf/render/all_renderers.h"
 #include "murosimf/scene/scenario_reader.h"
@@ -29,6 +30,7 @@ int show(const Arguments& arguments) {
   if (scene) session = std::make_unique<Session>(std::move(*scene), allRenderers(), diagnostics);
   std::fputs(diagnostics.text().c_str(), stderr);
   if (session == nullptr || diagnostics.hasErrors()) return kWrongInput;
+  std::fputs(drawerText(session->simulation()).c_str(), stderr);
   Window window(arguments.size[0], arguments.size[1], "murosimf: " + arguments.scenario);
   std::fputs(describe(identifyGl()).c_str(), stderr);
   Viewer viewer(window, *session);

@@ -7,6 +7,7 @@
 
 #include "game/game.h"
 #include "game/game_observers.h"
+#include "game/picture_drawers.h"
 #include "murosimf/commands.h"
 #include "murosimf/photographer.h"
 #include "murosimf/scene/scenario_reader.h"
@@ -61,6 +62,7 @@ class Shooting {
   Shooting(const RenderArguments& arguments, const Scene& scene, Diagnostics& diagnostics)
       : arguments_(arguments), simulation_(buildGame(scene, diagnostics)) {
     if (simulation_ == nullptr) return;
+    fmt::print(stderr, "{}", drawerText(*simulation_));
     observers_ = std::make_unique<GameObservers>(scene, *simulation_);
     photographer_ = std::make_unique<Photographer>(scene, *simulation_, arguments.cameras, diagnostics);
   }

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "game/picture_drawers.h"
+
 namespace murosimf {
 
 std::string hexadecimal(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
@@ -32,6 +34,18 @@ nlohmann::ordered_json controlFigures(const ControlCounts& counts) {
           {"late_commands", counts.late_commands},
           {"missed_sensor_frames", counts.missed_frames},
           {"failed_programs", counts.failed_programs}};
+}
+
+nlohmann::ordered_json drawerList(const Simulation& simulation) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const DrawnCameras& drawn : drawnCameras(simulation)) {
+    nlohmann::ordered_json& entry = list.emplace_back();
+    entry["module"] = drawn.module;
+    entry["cameras"] = drawn.cameras;
+    if (!drawn.drawer.name.empty()) entry["by"] = drawn.drawer.name;
+    if (!drawn.drawer.warning.empty()) entry["warning"] = drawn.drawer.warning;
+  }
+  return list;
 }
 
 nlohmann::ordered_json faultList(const Simulation& simulation) {
@@ -59,6 +73,7 @@ nlohmann::ordered_json basicReport(const Scene& scene, const Simulation& simulat
   report["stages"] = stageSeconds(simulation);
   if (simulation.control() != nullptr) {
     report["control"] = controlFigures(simulation.control()->counts());
+    report["control"]["pictures_by"] = drawerList(simulation);
     report["control"]["faults"] = faultList(simulation);
   }
   return report;

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "game/picture_drawers.h"
 #include "murosimf/frozen_robots.h"
 #include "murosimf/game_report.h"
 #include "murosimf/scene/scenario_reader.h"
@@ -34,6 +35,7 @@ Run::Run(const RunArguments& arguments, const Scene& scene, Diagnostics& diagnos
       simulation_(buildGame(scene, diagnostics)),
       directory_(arguments.out.empty() ? *scene.output.directory : arguments.out) {
   if (simulation_ == nullptr) return;
+  fmt::print(stderr, "{}", drawerText(*simulation_));
   std::filesystem::create_directories(directory_);
   addObservers();
   if (*scene_.simulation.pace > 0) {

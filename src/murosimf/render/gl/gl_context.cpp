@@ -24,10 +24,17 @@ GlIdentity identifyGl() {
   return identity;
 }
 
+std::string nameOf(const GlIdentity& identity) {
+  return fmt::format("OpenGL {}: {}", identity.version, identity.renderer);
+}
+
+std::string warningOf(const GlIdentity& identity) {
+  return identity.software ? "no graphics card draws but the processor, which the simulation needs too" : "";
+}
+
 std::string describe(const GlIdentity& identity) {
-  std::string text = fmt::format("OpenGL {}: {}\n", identity.version, identity.renderer);
-  if (identity.software) text += "warning: no graphics card draws but the processor, which the simulation needs too\n";
-  return text;
+  const std::string warning = warningOf(identity);
+  return nameOf(identity) + '\n' + (warning.empty() ? "" : "warning: " + warning + '\n');
 }
 
 }  // namespace murosimf

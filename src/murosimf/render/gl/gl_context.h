@@ -25,7 +25,11 @@ struct GlIdentity {
 };
 GlIdentity identifyGl();
 
-/// "OpenGL 4.5: llvmpipe (LLVM 15.0.6)", and in a second line a warning where no graphics card draws.
+/// "OpenGL 4.5: llvmpipe (LLVM 15.0.6)".
+std::string nameOf(const GlIdentity& identity);
+/// What is to be said where no graphics card draws; else empty.
+std::string warningOf(const GlIdentity& identity);
+/// Both, a line each.
 std::string describe(const GlIdentity& identity);
 
 }  // namespace murosimf
