@@ -77,11 +77,13 @@ void GlCameraRenderer::gather(const GlLens& lens, const RayScene& scene, const P
   meshes_.upload(fine_.library());
 }
 
-void GlCameraRenderer::drawMeshes(const GlLens& lens, const RayScene& scene, const Pose& X_WC) {
+void GlCameraRenderer::drawMeshes(const GlLens& lens, const RayScene& scene, const Pose& X_WC, int first_row) {
   glEnable(GL_CLIP_DISTANCE0);
   glFrontFace(GL_CW);  // rows grow downwards, and row 0 is OpenGL's lowest
   lens_program_.use();
   lens.set(lens_program_);
+  lens_program_.set("rays", 0);
+  lens_program_.set("corner", std::array<float, 3>{0, static_cast<float>(first_row), 0});
   lens_program_.set("camera_from_world", matrixOf(inverse(X_WC)));
   lens_program_.set("light", threeOf(normalized(scene.light_W)));
   lens_program_.set("ambient", scene.ambient);
@@ -120,8 +122,6 @@ void GlCameraRenderer::drawField(const GlLens& lens, const RayScene& scene, cons
   Pose eye = X_WC;
   eye.translation.z = max(eye.translation.z, 1e-3);
   sortTiles(lens.table(), scene.ground, field_.marked(), eye, tiles_);
-  glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, lens.rays());
   setField(bare_program_, scene, first_row);
   const Rotation3& R = eye.rotation;
   bare_program_.set("inverse_depth", threeOf(Vector3{R.x.z, R.y.z, R.z.z} * (-1 / eye.translation.z)));
@@ -144,7 +144,9 @@ void GlCameraRenderer::draw(const GlLens& lens, const RayScene& scene, const Pos
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   glDepthFunc(GL_LEQUAL);
-  drawMeshes(lens, scene, X_WC);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, lens.rays());
+  drawMeshes(lens, scene, X_WC, first_row);
   glDepthMask(GL_FALSE);
   drawField(lens, scene, X_WC, first_row, marks_lines);
   glDepthMask(GL_TRUE);

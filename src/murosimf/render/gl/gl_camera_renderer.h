@@ -42,7 +42,7 @@ class GlCameraRenderer {
   using Instances = std::vector<std::vector<MeshInstance>>;
   void gather(const GlLens& lens, const RayScene& scene, const Pose& X_WC, std::span<const std::uint32_t> hidden);
   void add(const Drawable& drawable, int fineness);
-  void drawMeshes(const GlLens& lens, const RayScene& scene, const Pose& X_WC);
+  void drawMeshes(const GlLens& lens, const RayScene& scene, const Pose& X_WC, int first_row);
   void drawField(const GlLens& lens, const RayScene& scene, const Pose& X_WC, int first_row, bool marks_lines);
   void setField(const GlProgram& program, const RayScene& scene, int first_row) const;
   void drawTiles(const std::vector<TileVertex>& tiles);

@@ -25,6 +25,7 @@ uniform vec4 prism_x, prism_y;  // of r^2, of r^4; beyond: times Z, times R
 uniform vec3 clip_x, clip_y;    // of Z xd, of Z yd, of Z
 uniform vec2 clip_z;            // of Z, of 1
 out float lamp;
+out vec3 place;             // in C
 flat out vec3 colour;
 flat out uint label;
 float curve(float r) {
@@ -60,17 +61,24 @@ void main() {
   colour = tint.rgb;
   label = id;
   vec3 seen = (camera_from_world * world).xyz;
+  place = seen;
   vec3 slopes = vec3(distorted(seen), seen.z);
   gl_ClipDistance[0] = world.z;  // the ground hides what lies below
   gl_Position = vec4(dot(clip_x, slopes), dot(clip_y, slopes), clip_z.x * seen.z + clip_z.y, seen.z);
 }
 )";
 
+/// Inverse depth is even over a triangle without a lens alone. But any mean of its corners lies in its plane, whose
+/// normal n is found from neighbouring pixels, and the pixel's ray (x, y, 1) meets that plane where
+///   z n . ray = n . place.
 inline constexpr const char* kLensFragmentShader = R"(#version 330 core
 in float lamp;
+in vec3 place;
 flat in vec3 colour;
 flat in uint label;
 uniform float ambient;
+uniform sampler2D rays;
+uniform vec3 corner;          // of the viewport
 layout(location = 0) out vec4 shown;
 layout(location = 1) out uint shown_label;
 layout(location = 2) out float depth;
@@ -78,7 +86,10 @@ void main() {
   float facing = gl_FrontFacing ? lamp : -lamp;
   shown = vec4(colour * (ambient + (1.0 - ambient) * max(0.0, facing)), 1.0);
   shown_label = label;
-  depth = 1.0 / gl_FragCoord.w;
+  vec3 ray = vec3(texelFetch(rays, ivec2(gl_FragCoord.xy - corner.xy), 0).xy, 1.0);
+  vec3 n = cross(dFdx(place), dFdy(place));
+  float change = dot(n, place - place.z * ray) / dot(n, ray);
+  depth = place.z + (abs(change) < 0.25 * place.z ? change : 0.0);  // else the ray all but misses the plane
 }
 )";
 
