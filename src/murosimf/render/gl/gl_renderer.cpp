@@ -113,31 +113,24 @@ void GlRenderer::drawShadowMap(const DrawList& list, const GlMatrix& shadow_from
   glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
 }
 
-void GlRenderer::drawColours(const DrawList& list, const GlView& view, const GlLight& light) {
-  meshes_.upload(list.meshes());
-  glEnable(GL_DEPTH_TEST);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_BLEND);
-  glDepthMask(GL_TRUE);
-  glDepthFunc(GL_LESS);
-  const GlMatrix clip = clipFromWorld(view), shadow = shadowFromWorld(light);
-  if (light.shadows) drawShadowMap(list, shadow);
-  glClearColor(light.sky.red, light.sky.green, light.sky.blue, 1);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+void GlRenderer::setLight(const GlView& view, const GlLight& light, const GlMatrix& shadow_from_world) const {
+  const GlMatrix clip = clipFromWorld(view);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, shadow_map_.name());
   for (const GlProgram* program : {&lit_flat_, &lit_meshes_}) {
     program->use();
     program->set("clip_from_world", clip);
-    program->set("shadow_from_world", shadow);
+    program->set("shadow_from_world", shadow_from_world);
     program->set("shadow_map", 0);
     program->set("shadows", light.shadows ? 1 : 0);
     program->set("light", toFloats(normalized(light.light_W)));
     program->set("ambient", light.ambient);
   }
+}
+
+/// What is clear comes last and hides nothing.
+void GlRenderer::drawLit(const DrawList& list) {
   lit_flat_.use();
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   drawPaint(list);
   lit_meshes_.use();
   meshes_.draw(list.solid());
@@ -148,6 +141,23 @@ void GlRenderer::drawColours(const DrawList& list, const GlView& view, const GlL
   glDepthMask(GL_FALSE);
   meshes_.draw(list.clearTinted());
   glDepthMask(GL_TRUE);
+}
+
+void GlRenderer::drawColours(const DrawList& list, const GlView& view, const GlLight& light) {
+  meshes_.upload(list.meshes());
+  glEnable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
+  glDepthFunc(GL_LESS);
+  const GlMatrix shadow = shadowFromWorld(light);
+  if (light.shadows) drawShadowMap(list, shadow);
+  glClearColor(light.sky.red, light.sky.green, light.sky.blue, 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  setLight(view, light, shadow);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  drawLit(list);
   glDisable(GL_BLEND);
 }
 

@@ -47,6 +47,8 @@ class GlRenderer {
  private:
   void drawFlat(const std::vector<LineVertex>& vertices, GLenum kind);
   void drawPaint(const DrawList& list);
+  void drawLit(const DrawList& list);
+  void setLight(const GlView& view, const GlLight& light, const GlMatrix& shadow_from_world) const;
   void drawShadowMap(const DrawList& list, const GlMatrix& shadow_from_world);
 
   GlProgram lit_meshes_, lit_flat_, label_meshes_, label_flat_, depth_meshes_;
