@@ -150,7 +150,7 @@ void ControlLoop::publish(long frame) {
 
 /// All robots' before the first one begins to look: a maker may work on the pictures of several cameras together.
 void ControlLoop::orderPictures() {
-  for (auto& runner : robots_) {
+  for (Runner* runner : programmed_) {
     if (!runner->runs() || runner->answered) continue;
     std::swap(runner->exposures, runner->waiting);
     for (std::size_t i = 0; i < runner->exposures.size(); ++i) {
@@ -159,7 +159,7 @@ void ControlLoop::orderPictures() {
       runner->controlled.camera(i)->order(snapshots_->scene(exposure.snapshot), exposure.place, exposure.frame);
     }
   }
-  for (auto& runner : robots_) {
+  for (Runner* runner : programmed_) {
     if (!runner->runs() || runner->answered) continue;
     for (std::size_t i = 0; i < runner->exposures.size(); ++i)
       if (runner->exposures[i].snapshot != kNoSnapshot) runner->controlled.camera(i)->start();
