@@ -5,25 +5,14 @@
 #include <thread>
 
 #include "algorithms/camera_scene.h"
+#include "algorithms/picture_hash.h"
 #include "murosimf/algorithms/scene_preparation.h"
 
 namespace murosimf {
 namespace {
 
 using camera_scene::cameraPose;
-
-/// Hash of all three planes [FNV-1a].
-std::uint64_t hashOf(const Picture& picture) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  const auto add = [&](const void* data, std::size_t size) {
-    for (std::size_t i = 0; i < size; ++i)
-      hash = (hash ^ static_cast<const unsigned char*>(data)[i]) * 0x100000001b3ULL;
-  };
-  add(picture.rgb.data(), picture.rgb.size());
-  add(picture.depth.data(), picture.depth.size() * sizeof(float));
-  add(picture.label.data(), picture.label.size() * sizeof(std::uint16_t));
-  return hash;
-}
+using picture_hash::hashOf;
 
 bool equal(const Picture& a, const Picture& b) {
   return a.rgb == b.rgb && a.label == b.label && a.depth.size() == b.depth.size() &&

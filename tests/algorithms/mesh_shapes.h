@@ -1,8 +1,7 @@
 #pragma once
 
-/// @file Shapes as triangles, for tests and benchmarks of cameras.
+/// @file Shapes as triangles, for tests and benchmarks of cameras: the same bits on every machine.
 
-#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -58,8 +57,9 @@ inline Triangles ellipsoidOf(const Vector3& radii, int columns) {
       columns, rows,
       [&](int i, int j) {
         const double a = 2 * kPi * (i % columns) / columns, e = kPi * (static_cast<double>(j) / rows - 0.5);
-        const double r = j == 0 || j == rows ? 0.0 : std::cos(e);
-        return Vector3{radii.x * r * std::cos(a), radii.y * r * std::sin(a), radii.z * std::sin(e)};
+        const SinCos<double> around = sincos(a), up = sincos(e);
+        const double r = j == 0 || j == rows ? 0.0 : up.cos;
+        return Vector3{radii.x * r * around.cos, radii.y * r * around.sin, radii.z * up.sin};
       },
       out);
   return out;
@@ -72,7 +72,8 @@ inline Triangles cylinderOf(double radius, double half_length, int columns) {
       columns, 3,
       [&](int i, int j) {
         const double a = 2 * kPi * (i % columns) / columns, r = j == 0 || j == 3 ? 0.0 : radius;
-        return Vector3{r * std::cos(a), r * std::sin(a), j < 2 ? -half_length : half_length};
+        const SinCos<double> around = sincos(a);
+        return Vector3{r * around.cos, r * around.sin, j < 2 ? -half_length : half_length};
       },
       out);
   return out;
