@@ -176,7 +176,7 @@ TEST(CameraMesh, TreeFindsWhatATestOfEveryTriangleFinds) {
     const Pose X_WS{fromRollPitchYaw(Vector3{0.3, 1.0, distance}), {distance, 0.05, 0.95}};
     const Picture p = s.shoot(draw(t, X_WS));
     const Pose X_CS = inverse(s.X_WC) * X_WS;
-    int wrong = 0, met = 0, ground = 0;
+    int wrong = 0, met = 0;
     for (int v = 0; v < 120; ++v)
       for (int u = 0; u < 160; ++u) {
         const RaySlopes r = s.rays.ray(u, v);
@@ -184,7 +184,6 @@ TEST(CameraMesh, TreeFindsWhatATestOfEveryTriangleFinds) {
         if (hit.margin < 1e-3) continue;  // on an edge
         const bool seen = p.label[p.index(u, v)] == kThing;
         const double sink = -(s.X_WC.rotation * Vector3{r.x, r.y, 1}).z, floor = sink > 0 ? 1 / sink : 1e9;
-        ground += floor < hit.depth;
         met += seen;
         wrong += seen != (hit.depth < floor) || (seen && std::fabs(p.depth[p.index(u, v)] / hit.depth - 1) > 1e-3);
       }
