@@ -49,7 +49,7 @@ format:  ## format all C++ files
 	@tools/check_format.sh --fix
 
 install: configure  ## install program, headers and CMake package below PREFIX (/usr/local)
-	@cmake --build --preset release --parallel $(JOBS) --target murosimf_app
+	@cmake --build --preset release --parallel $(JOBS) --target murosimf_installed
 	@cmake --install $(BUILD) --prefix $(PREFIX)
 
 clean:  ## remove build/ and out/

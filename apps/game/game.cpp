@@ -1,6 +1,5 @@
 #include "game/game.h"
 
-#include "murosimf/modules/all_modules.h"
 #include "murosimf/modules/camera/gl/gl_picture_maker.h"
 #include "murosimf/scene/field_texture.h"
 #include "murosimf/soccer/field.h"
@@ -21,7 +20,8 @@ PictureMakers allPictureMakers() {
   return makers;
 }
 
-std::unique_ptr<Simulation> buildGame(const Scene& scene, Diagnostics& diagnostics, const Watchers& watchers) {
+std::unique_ptr<Simulation> buildGame(const Scene& scene, Diagnostics& diagnostics, const Watchers& watchers,
+                                      const ModuleRegistry& modules, const ControlPrograms& programs) {
   WorldBuilder builder(scene, diagnostics);
   FieldLook look;
   look.brightness = *scene.field.brightness;
@@ -37,7 +37,7 @@ std::unique_ptr<Simulation> buildGame(const Scene& scene, Diagnostics& diagnosti
   if (watchers) {
     for (Attachment& attachment : watchers(builder.participants())) builder.attach(std::move(attachment));
   }
-  return builder.link(allModules(), allPrograms(), allPictureMakers());
+  return builder.link(modules, programs, allPictureMakers());
 }
 
 }  // namespace murosimf

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 
+#include "murosimf/modules/all_modules.h"
 #include "murosimf/scene/world_builder.h"
 
 namespace murosimf {
@@ -18,7 +19,9 @@ PictureMakers allPictureMakers();
 /// Whoever wants to look at more than the frame itself reads; asked when the robots are known.
 using Watchers = std::function<std::vector<Attachment>(const Participants&)>;
 
-/// Reads nothing; builds what the scene says. Null when diagnostics has got errors.
-std::unique_ptr<Simulation> buildGame(const Scene& scene, Diagnostics& diagnostics, const Watchers& watchers = {});
+/// Reads nothing; builds what the scene says, of these modules and programs. Null when diagnostics has got errors.
+std::unique_ptr<Simulation> buildGame(const Scene& scene, Diagnostics& diagnostics, const Watchers& watchers = {},
+                                      const ModuleRegistry& modules = allModules(),
+                                      const ControlPrograms& programs = allPrograms());
 
 }  // namespace murosimf

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "murosimf/linking/schedule.h"
-#include "murosimf/modules/all_modules.h"
 #include "murosimf/world/vocabulary.h"
 
 namespace murosimf {
@@ -45,10 +44,9 @@ bool addNumbers(const std::any& value, std::string& words) {
 
 }  // namespace
 
-PropertyWords propertyWords(const Participants& participants) {
+PropertyWords propertyWords(const ModuleRegistry& modules, const Participants& participants) {
   PropertyWords words;
-  const ModuleRegistry registry = allModules();
-  for (const ModuleEntry& entry : registry.entries()) addWords(*makeDefault(entry), words);
+  for (const ModuleEntry& entry : modules.entries()) addWords(*makeDefault(entry), words);
   for (const Attachment& attachment : frameAttachments(participants)) addWords(*attachment.module, words);
   return words;
 }

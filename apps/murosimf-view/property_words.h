@@ -16,7 +16,7 @@ struct PropertyWord {
 
 /// By the property's name.
 using PropertyWords = std::map<std::string, PropertyWord, std::less<>>;
-PropertyWords propertyWords(const Participants& participants);
+PropertyWords propertyWords(const ModuleRegistry& modules, const Participants& participants);
 
 /// "0.125", "1 0 0", "box, ellipsoid, 12 more"; "" for types that have no words.
 std::string wordsOf(const ConstantEntry& entry);

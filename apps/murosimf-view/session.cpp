@@ -34,13 +34,14 @@ constexpr double kSlowest = 1.0 / 64;  // simulated seconds a second
 
 }  // namespace
 
-Session::Session(Scene scene, const RendererRegistry& registry, Diagnostics& diagnostics) : scene_(std::move(scene)) {
-  simulation_ = buildGame(scene_, diagnostics,
-                          [&](const Participants& participants) { return registry.attachments(participants.robots); });
+Session::Session(Scene scene, const ViewerParts& parts, Diagnostics& diagnostics)
+    : scene_(std::move(scene)), modules_(parts.modules) {
+  const auto watchers = [&](const Participants& all) { return parts.renderers.attachments(all.robots); };
+  simulation_ = buildGame(scene_, diagnostics, watchers, parts.modules, parts.programs);
   if (simulation_ == nullptr) return;
   game_ = std::make_unique<GameObservers>(scene_, *simulation_);
   simulation_->observe(&plots_);
-  RendererRegistry all = registry;
+  RendererRegistry all = parts.renderers;
   all.add(ContactsRenderer::entry(*simulation_));
   renderings_ = std::make_unique<Renderings>(all, simulation_->world(), simulation_->linked(),
                                              drawnObjects(simulation_->world(), simulation_->participants()));

@@ -13,6 +13,7 @@
 #include "game/game_observers.h"
 #include "murosimf-view/plots.h"
 #include "murosimf-view/pull.h"
+#include "murosimf-view/run_viewer.h"
 #include "murosimf/render/property_renderer.h"
 #include "murosimf/simulation/frame_history.h"
 #include "murosimf/simulation/recording_player.h"
@@ -29,12 +30,13 @@ class Session {
  public:
   /// Builds the world and runs its first frame. Where something is wrong with the scene, diagnostics gets errors and
   /// nothing else may be called.
-  Session(Scene scene, const RendererRegistry& registry, Diagnostics& diagnostics);
+  Session(Scene scene, const ViewerParts& parts, Diagnostics& diagnostics);
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
   const Scene& scene() const { return scene_; }
+  const ModuleRegistry& modules() const { return modules_; }
   Simulation& simulation() { return *simulation_; }
   const World& world() const { return simulation_->world(); }
   const GameObservers& game() const { return *game_; }
@@ -80,6 +82,7 @@ class Session {
   void measure(double wall_seconds);
 
   Scene scene_;
+  ModuleRegistry modules_;
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<GameObservers> game_;
   Plots plots_;

@@ -14,7 +14,7 @@ namespace murosimf::ui {
 struct Place {
   float u = 0, v = 0;    ///< of the middle [px]
   long frame = -1;       ///< in which it was drawn
-  bool visible = false;  ///< and not scrolled away
+  bool visible = false;  ///< its middle is not scrolled away
 };
 
 inline std::map<std::string, Place>& places() {
@@ -25,7 +25,9 @@ inline std::map<std::string, Place>& places() {
 /// Call behind any widget.
 inline void remember(const std::string& name) {
   const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
-  places()[name] = {0.5F * (a.x + b.x), 0.5F * (a.y + b.y), ImGui::GetFrameCount(), ImGui::IsItemVisible()};
+  const ImVec2 middle{0.5F * (a.x + b.x), 0.5F * (a.y + b.y)};
+  const bool visible = ImGui::IsRectVisible(middle, {middle.x + 1, middle.y + 1});
+  places()[name] = {middle.x, middle.y, ImGui::GetFrameCount(), visible};
 }
 
 inline bool button(const std::string& name, const char* label) {

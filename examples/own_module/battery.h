@@ -27,3 +27,8 @@ class Battery final : public murosimf::RobotModule {
   murosimf::RobotValues<const double> capacity_;
   murosimf::RobotValues<double> velocity_, charge_, time_empty_;
 };
+
+/// Scenarios may name it from then on.
+inline void addBattery(murosimf::ModuleRegistry& modules) {
+  modules.add<Battery>("battery", "energy", "charge falls with joint speed", Battery::parameters());
+}

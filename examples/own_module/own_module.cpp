@@ -17,7 +17,7 @@ namespace {
 std::size_t drawBars(murosimf::Simulation& simulation, murosimf::ObjectId robot) {
   using namespace murosimf;
   RendererRegistry renderers = allRenderers();
-  renderers.add<ChargeRenderer>({"charge", std::string(kBatteryCharge.name), std::string(subset::kSelf), "", true, {}});
+  addChargeRenderer(renderers);
   Renderings renderings(renderers, simulation.world(), simulation.linked(), {robot});
   for (const RendererEntry& entry : renderings.entries()) renderings.show(entry.name, entry.name == "charge");
   MeshLibrary meshes;
@@ -37,7 +37,7 @@ int main(int count, char** words) {
   if (!scene) return std::fputs(diagnostics.text().c_str(), stderr), 2;
 
   ModuleRegistry modules = allModules();
-  modules.add<Battery>("battery", "energy", "charge falls with joint speed", Battery::parameters());
+  addBattery(modules);
   WorldBuilder builder(*scene, diagnostics);
   const std::unique_ptr<Simulation> simulation = builder.link(modules, {});
   if (simulation == nullptr) return std::fputs(diagnostics.text().c_str(), stderr), 2;

@@ -34,7 +34,7 @@ class ObjectsPanel final : public Panel {
   }
 
   void prepare(Session& session) {
-    words_ = propertyWords(session.simulation().participants());
+    words_ = propertyWords(session.modules(), session.simulation().participants());
     const World& world = session.world();
     for (int i = 1; i < world.objectCount(); ++i) children_[world.parent({i})].push_back({i});
   }

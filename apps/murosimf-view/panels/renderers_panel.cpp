@@ -24,10 +24,12 @@ class RenderersPanel final : public Panel {
     ImGui::TableSetupColumn("all", ImGuiTableColumnFlags_WidthFixed);
     ImGui::TableSetupColumn("selected", ImGuiTableColumnFlags_WidthFixed);
     ImGui::TableHeadersRow();
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {2, 0});  // all lines at once, where the window is not small
     std::set<std::string> seen;
     for (const RendererEntry& entry : session.renderings().entries()) {
       if (seen.insert(entry.name).second) drawEntry(session, entry);
     }
+    ImGui::PopStyleVar();
     ImGui::EndTable();
   }
 
