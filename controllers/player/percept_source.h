@@ -4,10 +4,10 @@
 
 #include <memory>
 
+#include "camera_past.h"
 #include "murosimf/control/client/robot_description.h"
 #include "murosimf/control/client/state_archive.h"
 #include "percepts.h"
-#include "posture.h"
 
 namespace murosimf::controllers {
 
@@ -15,9 +15,9 @@ class PerceptSource {
  public:
   virtual ~PerceptSource() = default;
   virtual void start(const client::RobotDescription& robot) = 0;
-  /// Clears `out` and fills it with what the frame's pictures show and its sights tell. Called only for frames that
-  /// have some.
-  virtual void process(const client::SensorFrame& sensors, const Posture& posture, Percepts& out) = 0;
+  /// Clears `out` and fills it with what the frame's pictures show and its sights tell, in R of now however late they
+  /// come. Called only for frames that have some.
+  virtual void process(const client::SensorFrame& sensors, const CameraPast& past, Percepts& out) = 0;
   virtual void archive(client::StateArchive& archive) = 0;
 };
 

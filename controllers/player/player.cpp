@@ -48,9 +48,9 @@ void Player::start(const client::RobotDescription& robot) {
 
 void Player::step(const client::SensorFrame& sensors, client::CommandFrame& commands) {
   feelMotion(sensors);
-  heedReferee(sensors.game);
+  heedReferee(sensors.game, sensors.time);
   look(sensors);
-  team_ball_.observe(sensors.team_messages, robot_.control_period);
+  team_ball_.observe(sensors.team_messages, robot_.control_period, sensors.mate_poses, sensors.time);
   const Play play = behaviour_.step(gather(sensors), head_.glancing());
   moveJoints(sensors, play, commands);
   commands.message = message(play);
@@ -64,18 +64,21 @@ void Player::feelMotion(const client::SensorFrame& sensors) {
   const bool on_feet = posture_known_ && !body_.fallen();
   const PlanarPose increment = on_feet ? odometryIncrement(posture_, now) : PlanarPose{};
   posture_ = std::move(now), posture_known_ = true;
+  past_.remember(sensors.time, increment, posture_);
   localisation_.move(increment);
   ball_.move(increment, robot_.control_period);
   obstacles_.move(increment, robot_.control_period);
   for (const client::JointReading& joint : sensors.joints) servos_feel_ = servos_feel_ || joint.torque != 0;
 }
 
-void Player::heedReferee(const client::GameInfo& game) {
+void Player::heedReferee(const client::GameInfo& game, double time) {
   const bool ball_moved = game.restart_count != restart_count_;
   restart_count_ = game.restart_count;
   if (game.placed) {
     localisation_.place(game.placed_at);
     obstacles_.clear();
+    past_.forget();
+    past_.remember(time, {}, posture_);
     body_.putUpright();
   }
   if (!game.placed && !ball_moved) return;
@@ -84,12 +87,20 @@ void Player::heedReferee(const client::GameInfo& game) {
   behaviour_.restart();
 }
 
+void Player::expectLate(const client::SensorFrame& sensors) {
+  for (const client::CameraPicture& picture : sensors.pictures) past_.expect(picture.time);
+  for (const client::CameraSights& sights : sensors.sights) past_.expect(sights.time);
+  if (sensors.own_pose.valid) past_.expect(sensors.own_pose.time);
+}
+
 void Player::look(const client::SensorFrame& sensors) {
   percepts_.clear();
-  if (sensors.own_pose.valid) localisation_.place(sensors.own_pose.pose);
+  expectLate(sensors);
+  const client::ToldPose& told = sensors.own_pose;
+  if (told.valid) localisation_.place(compose(told.pose, past_.movedSince(told.time)));
   const bool sees = !sensors.pictures.empty() || !sensors.sights.empty();
   if (!sees || body_.fallen()) return;  // from the ground the posture explains no picture
-  eyes_->process(sensors, posture_, percepts_);
+  eyes_->process(sensors, past_, percepts_);
   localisation_.observe(percepts_);
   ball_.observe(percepts_);
   obstacles_.observe(percepts_.robots);
@@ -105,8 +116,7 @@ void Player::getBackOnFeet() {
 std::size_t Player::collectObstacles(const PlanarPose& X_FR) {
   const std::span<const Point> seen = obstacles_.places_R();
   obstacles_R_.assign(seen.begin(), seen.end());
-  for (const client::TeamMessage& mate : team_ball_.freshMessages())
-    obstacles_R_.push_back(transformedBack(X_FR, {mate.pose.x, mate.pose.y}));
+  for (const Point& mate : team_ball_.mates()) obstacles_R_.push_back(transformedBack(X_FR, mate));
   const std::size_t robot_count = obstacles_R_.size();
   const double x = 0.5 * robot_.field.length, y = 0.5 * robot_.field.goal_width + robot_.field.post_radius;
   for (const Point& post : {Point{x, y}, Point{x, -y}, Point{-x, y}, Point{-x, -y}})
@@ -174,7 +184,7 @@ void Player::fillReport(const Play& play) {
 void Player::archive(client::StateArchive& archive) {
   archive(posture_.X_RP, posture_.X_RF, posture_.X_RC, posture_.stance, posture_known_, servos_feel_, restart_count_);
   eyes_->archive(archive);
-  archive(localisation_, ball_, team_ball_, obstacles_, behaviour_, body_, head_);
+  archive(past_, localisation_, ball_, team_ball_, obstacles_, behaviour_, body_, head_);
 }
 
 std::unique_ptr<client::ControlSoftware> makePlayer() { return std::make_unique<Player>(makeEyes()); }

@@ -11,6 +11,7 @@
 
 #include "behaviour.h"
 #include "body_motion.h"
+#include "camera_past.h"
 #include "head_motion.h"
 #include "murosimf/control/client/control_software.h"
 #include "obstacle_memory.h"
@@ -31,7 +32,8 @@ class Player final : public client::ControlSoftware {
 
  private:
   void feelMotion(const client::SensorFrame& sensors);
-  void heedReferee(const client::GameInfo& game);
+  void heedReferee(const client::GameInfo& game, double time);
+  void expectLate(const client::SensorFrame& sensors);
   void look(const client::SensorFrame& sensors);
   void getBackOnFeet();
   std::size_t collectObstacles(const PlanarPose& X_FR);
@@ -48,6 +50,7 @@ class Player final : public client::ControlSoftware {
   bool posture_known_ = false;
   bool servos_feel_ = false;  ///< some joint has reported a torque: soles can tip, so balance is worth the effort
   std::uint32_t restart_count_ = 0;
+  CameraPast past_;
   Percepts percepts_;
   Localisation localisation_;
   BallModel ball_;

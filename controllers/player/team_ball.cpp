@@ -6,6 +6,8 @@ namespace murosimf::controllers {
 namespace {
 
 constexpr double kFresh = 1.0;         // messages younger than this count for decisions [s]
+constexpr double kTold = 0.5;          // poses told of later than this tell no more than messages do [s]
+constexpr double kPresent = 0.1;       // those told of within this are where a ball was just seen from [s]
 constexpr double kOldest = 4.0;        // reports of older sights are not used [s]
 constexpr double kTimeConstant = 1.0;  // of the weight [s]
 constexpr double kNearDeviation = 0.1, kDeviationPerDistance = 0.1;  // of a reported ball: s0 [m], k
@@ -24,24 +26,49 @@ bool cheapestToBall(int own_number, double own_cost, std::span<const client::Tea
 
 void TeamBall::start(const client::RobotDescription& robot) {
   reports_ = {};
-  fresh_count_ = 0;
+  fresh_count_ = mate_count_ = 0;
   own_number_ = robot.number;
 }
 
-void TeamBall::observe(std::span<const client::TeamMessage> messages, double dt) {
-  for (Report& report : reports_) report.since += dt;
+/// Null for no mate's number.
+TeamBall::Report* TeamBall::reportOf(int number) {
+  const bool mate = number >= 1 && number <= kLargestNumber && number != own_number_;
+  return mate ? &reports_[static_cast<std::size_t>(number - 1)] : nullptr;
+}
+
+/// The ball was seen from where the mate is, whatever it believes.
+void TeamBall::Report::take(const client::TeamMessage& heard) {
+  message = heard, since = 0;
+  if (!(told_age <= kPresent)) return;
+  const Point ball = transformed(told, transformedBack(heard.pose, {heard.ball_x, heard.ball_y}));
+  message.pose = told, message.ball_x = ball.x, message.ball_y = ball.y;
+}
+
+void TeamBall::observe(std::span<const client::TeamMessage> messages, double dt, std::span<const client::ToldPose> told,
+                       double time) {
+  for (Report& report : reports_) report.since += dt, report.told_age += dt;
+  for (const client::ToldPose& pose : told) {
+    Report* report = pose.valid ? reportOf(pose.number) : nullptr;
+    if (report != nullptr) report->told = pose.pose, report->told_age = time - pose.time;
+  }
   for (const client::TeamMessage& message : messages) {
-    if (message.number < 1 || message.number > kLargestNumber || message.number == own_number_) continue;
     if (!std::isfinite(message.ball_x + message.ball_y + message.pose.x + message.pose.y)) continue;
-    reports_[static_cast<std::size_t>(message.number - 1)] = {message, 0};
+    if (Report* report = reportOf(message.number)) report->take(message);
   }
   collectFresh();
 }
 
 void TeamBall::collectFresh() {
-  fresh_count_ = 0;
-  for (const Report& report : reports_)
-    if (report.message.number > 0 && report.since <= kFresh) fresh_[fresh_count_++] = report.message;
+  fresh_count_ = mate_count_ = 0;
+  for (const Report& report : reports_) {
+    const bool heard = report.message.number > 0 && report.since <= kFresh;
+    if (heard) fresh_[fresh_count_++] = report.message;
+    if (report.told_age <= kTold) {
+      mates_[mate_count_++] = {report.told.x, report.told.y};
+    } else if (heard) {
+      mates_[mate_count_++] = {report.message.pose.x, report.message.pose.y};
+    }
+  }
 }
 
 double TeamBall::Report::weight() const {
@@ -85,7 +112,8 @@ Point TeamBall::position() const {
 }
 
 void TeamBall::Report::archive(client::StateArchive& archive) {
-  archive(message.number, message.pose, message.ball_x, message.ball_y, message.ball_age, message.cost_to_ball, since);
+  archive(message.number, message.pose, message.ball_x, message.ball_y, message.ball_age, message.cost_to_ball, since,
+          told, told_age);
 }
 
 void TeamBall::archive(client::StateArchive& archive) {

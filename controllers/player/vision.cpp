@@ -65,13 +65,13 @@ void Vision::start(const client::RobotDescription& robot) {
   }
 }
 
-void Vision::process(const client::SensorFrame& frame, const Posture& posture, Percepts& out) {
+void Vision::process(const client::SensorFrame& frame, std::span<const Pose> X_RC, Percepts& out) {
   out.clear();
   reserve(out);
   for (const client::CameraPicture& picture : frame.pictures) {
     const auto index = static_cast<std::size_t>(picture.camera);
-    if (picture.camera < 0 || index >= cameras_.size() || index >= posture.X_RC.size()) continue;
-    look(picture, posture.X_RC[index], out);
+    if (picture.camera < 0 || index >= cameras_.size() || index >= X_RC.size()) continue;
+    look(picture, X_RC[index], out);
   }
   sortByDeviation(out.balls);
 }

@@ -19,25 +19,26 @@ constexpr std::array<std::array<double, 2>, 2> kHalfAngle{{{degrees(30), degrees
 
 }  // namespace
 
-bool ExactEyes::sees(const Posture& posture, const Vector3& p_R, std::size_t camera) const {
-  const Vector3 p_C = applyInverse(posture.X_RC[camera], p_R);
+bool ExactEyes::sees(const Pose& X_RC, const Vector3& p_R, std::size_t camera) {
+  const Vector3 p_C = applyInverse(X_RC, p_R);
   return p_C.z > 0.05 && std::fabs(atan2(p_C.x, p_C.z)) < kHalfAngle[camera][0] &&
          std::fabs(atan2(p_C.y, p_C.z)) < kHalfAngle[camera][1];
 }
 
-void ExactEyes::process(const client::SensorFrame& sensors, const Posture& posture, Percepts& out) {
+void ExactEyes::process(const client::SensorFrame& sensors, const CameraPast& past, Percepts& out) {
   out.clear();
   for (const client::CameraPicture& picture : sensors.pictures) {
     const auto camera = static_cast<std::size_t>(picture.camera);
+    const Pose X_RC = past.pose(camera, picture.time);
     const Point ball = transformedBack(view_->X_FR, view_->ball_F);
-    if (sees(posture, {ball.x, ball.y, kBallRadius}, camera)) out.balls.push_back({ball.x, ball.y, 0.02});
+    if (sees(X_RC, {ball.x, ball.y, kBallRadius}, camera)) out.balls.push_back({ball.x, ball.y, 0.02});
     for (const Point& robot_F : view_->robots_F) {
       const Point p = transformedBack(view_->X_FR, robot_F);
-      if (sees(posture, {p.x, p.y, 0.1}, camera)) out.robots.push_back({p.x, p.y});
+      if (sees(X_RC, {p.x, p.y, 0.1}, camera)) out.robots.push_back({p.x, p.y});
     }
     const auto landmark = [&](const Point& p_F, LandmarkColour colour, std::vector<LandmarkPercept>& list) {
       const Point p = transformedBack(view_->X_FR, p_F);
-      if (sees(posture, {p.x, p.y, 0.2}, camera)) list.push_back({colour, direction(p), norm(p), 0.02, 0.1, true});
+      if (sees(X_RC, {p.x, p.y, 0.2}, camera)) list.push_back({colour, direction(p), norm(p), 0.02, 0.1, true});
     };
     const bool attacks_yellow = robot_.goal_colour_attacked == "yellow";
     for (const double end : {-1.0, 1.0}) {

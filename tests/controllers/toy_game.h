@@ -29,11 +29,11 @@ class ExactEyes final : public PerceptSource {
   };
   explicit ExactEyes(const View* view) : view_(view) {}
   void start(const client::RobotDescription& robot) override { robot_ = robot; }
-  void process(const client::SensorFrame& sensors, const Posture& posture, Percepts& out) override;
+  void process(const client::SensorFrame& sensors, const CameraPast& past, Percepts& out) override;
   void archive(client::StateArchive&) override {}
 
  private:
-  bool sees(const Posture& posture, const Vector3& p_R, std::size_t camera) const;
+  static bool sees(const Pose& X_RC, const Vector3& p_R, std::size_t camera);
 
   const View* view_;
   client::RobotDescription robot_;

@@ -82,8 +82,7 @@ TEST(VisionState, NothingIsAllocatedAfterTheFirstPictures) {
     render(views[i], pictures[i]);
   }
   const client::CameraDescription cameras[] = {headCamera(), chestCamera()};
-  controllers::Posture posture;
-  posture.X_RC.resize(2);
+  std::array<Pose, 2> X_RC;
   long before = 0;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     if (i == 2) before = allocations;
@@ -91,8 +90,8 @@ TEST(VisionState, NothingIsAllocatedAfterTheFirstPictures) {
     const client::CameraPicture picture{views[i].camera, 0, c.width, c.height, pictures[i]};
     client::SensorFrame frame;
     frame.pictures = {&picture, 1};
-    posture.X_RC[static_cast<std::size_t>(views[i].camera)] = views[i].X_RC;
-    vision.process(frame, posture, percepts);
+    X_RC[static_cast<std::size_t>(views[i].camera)] = views[i].X_RC;
+    vision.process(frame, X_RC, percepts);
   }
   EXPECT_EQ(allocations, before);
 }
@@ -105,11 +104,9 @@ TEST(VisionState, PicturesThatAreNotTheCamerasAreLeftOut) {
       {-1, 0, 640, 480, bytes}, {2, 0, 640, 480, bytes}, {1, 0, 640, 480, bytes}, {0, 0, 640, 480, bytes.first(1000)}};
   client::SensorFrame frame;
   frame.pictures = pictures;
-  controllers::Posture posture;
-  posture.X_RC = {headCameraPose(0, 0), chestCameraPose()};
   controllers::Percepts percepts;
   percepts.balls.resize(3);
-  vision.process(frame, posture, percepts);
+  vision.process(frame, std::array{headCameraPose(0, 0), chestCameraPose()}, percepts);
   EXPECT_TRUE(percepts.balls.empty());
   EXPECT_TRUE(percepts.drawn.empty());
 }

@@ -254,10 +254,8 @@ void look(controllers::Vision& vision, const View& view, const std::vector<std::
   const client::CameraPicture picture{view.camera, 0, c.width, c.height, rgb};
   client::SensorFrame frame;
   frame.pictures = {&picture, 1};
-  controllers::Posture posture;
-  posture.X_RC = {view.X_RC, view.X_RC};
-  for (Pose& X : posture.X_RC) X = Pose{rotationY(tilt), {}} * X;
-  vision.process(frame, posture, out);
+  const Pose X_RC = Pose{rotationY(tilt), {}} * view.X_RC;
+  vision.process(frame, std::array{X_RC, X_RC}, out);
 }
 
 void judge(const View& view, const Percepts& percepts, Tallies& tallies) {

@@ -93,6 +93,49 @@ TEST(TeamBall, OwnEmptyAndNonsensicalMessagesAreSkipped) {
   EXPECT_FALSE(ball.known());
 }
 
+/// A mate that stands at (0, 1), looks along -y and sees the ball 1 m ahead, but believes that it stands elsewhere.
+client::TeamMessage messageOfALostMate() {
+  client::TeamMessage lost;
+  lost.number = 2, lost.pose = {1.5, -0.5, 0.3}, lost.cost_to_ball = 3, lost.ball_age = 0;
+  const Point ball = transformed(lost.pose, {1, 0});
+  lost.ball_x = ball.x, lost.ball_y = ball.y;
+  return lost;
+}
+
+TEST(TeamBall, LiesWhereAMateSeesItFromThePoseThatIsTold) {
+  TeamBall ball = ofRobotOne();
+  const client::TeamMessage lost = messageOfALostMate();
+  const client::ToldPose told{2, true, 0.98, {0, 1, -0.5 * kPi}};
+  ball.observe(std::span(&lost, 1), 0.01, std::span(&told, 1), 1.0);
+  EXPECT_LT(norm(ball.position() - Point{0, 0}), 1e-9);
+  EXPECT_LT(norm(ball.mates()[0] - Point{0, 1}), 1e-9);
+  EXPECT_EQ(ball.freshMessages()[0].cost_to_ball, 3) << "which the mate knows best";
+}
+
+TEST(TeamBall, PosesToldLateOrNotAtAllLeaveReportsAlone) {
+  const client::TeamMessage lost = messageOfALostMate();
+  for (const client::ToldPose& told : {client::ToldPose{2, true, 0.7, {0, 1, 0}},
+                                       {2, false, 1, {0, 1, 0}},
+                                       {1, true, 1, {0, 1, 0}},
+                                       {99, true, 1, {0, 1, 0}}}) {
+    TeamBall ball = ofRobotOne();
+    ball.observe(std::span(&lost, 1), 0.01, std::span(&told, 1), 1.0);
+    EXPECT_LT(norm(ball.position() - Point{lost.ball_x, lost.ball_y}), 1e-9);
+    EXPECT_EQ(ball.mates().size(), 1U);
+  }
+}
+
+TEST(TeamBall, MatesWithoutRadioAreWhereTheyWereTold) {
+  TeamBall ball = ofRobotOne();
+  const client::ToldPose told{3, true, 1.0, {0.4, 0.2, 0}};
+  ball.observe({}, 0.01, std::span(&told, 1), 1.0);
+  ASSERT_EQ(ball.mates().size(), 1U);
+  EXPECT_EQ(ball.mates()[0].x, 0.4);
+  EXPECT_TRUE(ball.freshMessages().empty()) << "one that says nothing plays no part in who goes";
+  for (int i = 0; i < 60; ++i) ball.observe({}, 0.01);
+  EXPECT_TRUE(ball.mates().empty());
+}
+
 TEST(TeamBall, ContinuesWithTheSameBitsAfterLoading) {
   TeamBall original = ofRobotOne();
   const client::TeamMessage messages[] = {message(2, {1, 0}, 0.2), message(3, {1.2, 0.1}, 0.4)};

@@ -208,7 +208,13 @@ std::optional<Candidate> placeBall(const PictureView& view, const Disc& disc, do
 
   Candidate c;
   c.ball = {p.x, p.y, fused.deviation};
-  c.drawn = {client::Percept::Kind::kBall, view.camera, disc.centre.u, disc.centre.v, disc.radius, horizontal(p)};
+  c.drawn = {client::Percept::Kind::kBall,
+             view.camera,
+             disc.centre.u,
+             disc.centre.v,
+             disc.radius,
+             horizontal(p),
+             atan2(p.y, p.x)};
   return c;
 }
 

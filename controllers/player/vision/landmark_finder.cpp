@@ -108,7 +108,7 @@ void report(const PictureView& view, const Upright& upright, LandmarkColour colo
             Found& found) {
   const LandmarkPercept percept = perceptOf(view, upright, colour);
   const client::Percept drawn{
-      kind, view.camera, upright.lowest.u, upright.lowest.v, upright.half_width, percept.distance};
+      kind, view.camera, upright.lowest.u, upright.lowest.v, upright.half_width, percept.distance, percept.bearing};
   for (std::size_t i = 0; i < found.count; ++i) {
     if (!sameThing(found.percepts[i], percept)) continue;
     if (percept.distance_deviation < found.percepts[i].distance_deviation) {

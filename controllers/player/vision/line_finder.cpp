@@ -139,7 +139,8 @@ bool LineFinder::measure(const PictureView& view, const Crossing& c, double line
   if (width < 0.5 * line_width - blur || width > 1.6 * line_width + blur || share < 0.25) return false;
   const double normal = atan2(ground->normal.y, ground->normal.x);
   point.percept = {ground->point.x, ground->point.y, normal < 0 ? normal + kPi : normal};
-  point.drawn = {client::Percept::Kind::kLinePoint, view.camera, c.at.u, c.at.v, 0.5 * c.pixels, distance};
+  point.drawn = {client::Percept::Kind::kLinePoint, view.camera, c.at.u, c.at.v, 0.5 * c.pixels, distance,
+                 atan2(c.ground.y, c.ground.x)};
   return true;
 }
 

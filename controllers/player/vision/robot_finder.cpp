@@ -106,7 +106,7 @@ void findRobots(const PictureView& view, const ColourGrid& grid, Percepts& out) 
     if (mark.cut) continue;  // it stands there, but who knows where
     out.robots.push_back({mark.foot.x, mark.foot.y});
     out.drawn.push_back({client::Percept::Kind::kRobot, view.camera, mark.pixel.u, mark.pixel.v, mark.half_width,
-                         horizontal(mark.foot)});
+                         horizontal(mark.foot), atan2(mark.foot.y, mark.foot.x)});
   }
 }
 

@@ -110,7 +110,8 @@ struct CommandFrame {
   TeamMessage message;               ///< sent when number != 0
 };
 
-/// One ball, post or line point found in a picture, for people and for the harness that measures the vision.
+/// One ball, post or line point found in a picture, or told as seen in one, for people and for the harness that
+/// measures the vision.
 struct Percept {
   enum class Kind : std::uint8_t { kBall, kPost, kPole, kLinePoint, kRobot };
   Kind kind = Kind::kBall;
@@ -118,6 +119,7 @@ struct Percept {
   double u = 0, v = 0;  ///< centre (ball), foot point (post, pole, robot), point [pixels]
   double radius = 0;    ///< ball: apparent radius; others: half width [pixels]
   double distance = 0;  ///< estimated horizontal distance from the robot [m]
+  double bearing = 0;   ///< and direction, positive to its left [rad]
 };
 
 /// What the control software believes, for reports and pictures only: the simulator never acts on it.
