@@ -137,6 +137,43 @@ TEST(PerceptStatistics, OrangeBlobIsFoundAndTheFalseOneCounted) {
   EXPECT_NEAR(r.distance_error_median, 0.1, 1e-3);
 }
 
+/// What oracles tell of the ball, where a pinhole camera of the description's numbers would show it.
+void repeatBalls(ScriptedRobot& robot, const client::SensorFrame& sensors) {
+  robot.report.percepts.clear();
+  for (const client::CameraSights& sights : sensors.sights) {
+    if (sights.kind != client::ThingKind::kBall) continue;
+    const client::CameraDescription& c = robot.description.cameras[static_cast<std::size_t>(sights.camera)];
+    for (const client::SeenThing& ball : sights.things) {
+      const double u = c.cx + c.fx * ball.p_C.x / ball.p_C.z, v = c.cy + c.fy * ball.p_C.y / ball.p_C.z;
+      robot.report.percepts.push_back({client::Percept::Kind::kBall, sights.camera, u, v, 1, 0.6});
+    }
+  }
+}
+
+PerceptResult resultOfOracle(std::vector<std::string> errors) {
+  for (const char* camera : {"head", "chest"})
+    errors.insert(errors.begin(), std::string("robots.all.cameras.") + camera + ".module=oracle");
+  errors.emplace_back("robots.red.3.pose=[-0.60, 0, 0]");
+  ScriptedMatch match(errors, repeatBalls);
+  match.run(4.0);
+  const int index = match.simulation->control()->indexOf(match.simulation->world().find("robots.red.3"));
+  return match.percepts->results()[static_cast<std::size_t>(index)];
+}
+
+TEST(PerceptStatistics, LooksOfOraclesCountAsPictures) {
+  const PerceptResult exact = resultOfOracle({});
+  EXPECT_GT(exact.pictures, 100);
+  EXPECT_GT(exact.pictures_with_ball, 30);
+  EXPECT_EQ(exact.recall, 1);
+  EXPECT_EQ(exact.precision, 1);
+  const PerceptResult wrong =
+      resultOfOracle({"robots.all.cameras.head.ball_miss=0.3", "robots.all.cameras.chest.ball_miss=0.3",
+                      "robots.all.cameras.head.ball_delay=0.1", "robots.all.cameras.chest.ball_false_rate=1"});
+  EXPECT_NEAR(wrong.recall, 0.7, 0.12);
+  EXPECT_LT(wrong.precision, 1);
+  EXPECT_GT(wrong.precision, 0.7);
+}
+
 TEST(PerceptStatistics, BlindSoftwareHasNoRecall) {
   ScriptedMatch match({"robots.red.3.pose=[-0.60, 0, 0]"}, {});
   match.run(0.3);

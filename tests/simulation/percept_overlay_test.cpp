@@ -55,6 +55,25 @@ TEST(PerceptKeeper, APictureWithoutFindsClearsWhatTheOneBeforeHad) {
   EXPECT_TRUE(s.keeper.of(0, 0).percepts.empty());
 }
 
+TEST(PerceptKeeper, KeepsWhatWasToldOfEachKindUntilItIsToldAgain) {
+  Steps s;
+  const auto tell = [&](double time, client::ThingKind kind, std::vector<Percept> percepts) {
+    const client::CameraSights sights{1, kind, time, {}};
+    client::SensorFrame sensors;
+    sensors.sights = {&sights, 1};
+    s.report.percepts = std::move(percepts);
+    s.keeper.keep(0, sensors, s.report);
+  };
+  tell(0.10, client::ThingKind::kBall, {{Percept::Kind::kBall, 1, 10, 0, 1, 1}});
+  tell(0.05, client::ThingKind::kRobot, {{Percept::Kind::kRobot, 1, 20, 0, 1, 1}, {Percept::Kind::kRobot, 0, 9, 0}});
+  ASSERT_EQ(s.keeper.of(0, 1).percepts.size(), 2U);
+  EXPECT_EQ(s.keeper.of(0, 1).time, 0.10) << "robots were told later than the ball";
+  tell(0.15, client::ThingKind::kBall, {});
+  ASSERT_EQ(s.keeper.of(0, 1).percepts.size(), 1U);
+  EXPECT_EQ(s.keeper.of(0, 1).percepts[0].kind, Percept::Kind::kRobot);
+  EXPECT_TRUE(s.keeper.of(0, 0).percepts.empty());
+}
+
 TEST(PerceptKeeper, ShowsTheActivityOfTheStepThatIsOver) {
   Steps s;
   s.step(0.10, {}, 0, "search");

@@ -10,7 +10,8 @@ namespace murosimf {
 
 namespace {
 
-/// Pictures of robots' cameras with what their control software found in them: of the selected robot, or of all.
+/// Pictures of robots' cameras with what their control software found in them: of the selected robot, or of all. A
+/// camera that tells what it sees in the place of a picture has a plain one.
 class CamerasPanel final : public Panel {
  public:
   CamerasPanel() : Panel("Cameras", {0.24F, 0.6F, 0.54F, 0.4F}, false) {}
@@ -22,7 +23,6 @@ class CamerasPanel final : public Panel {
     ShownPicture shown;
     double time = -1;  // of the picture that is shown [s]
     long frame = -1;   // in which that was looked for
-    Picture picture;
     std::string caption;
   };
 
@@ -34,7 +34,7 @@ class CamerasPanel final : public Panel {
     ImGui::SameLine();
     ImGui::SetNextItemWidth(120);
     ImGui::SliderFloat("width", &width_, 120, 640, "%.0f px");
-    if (insets_.empty()) ImGui::TextDisabled("no robot has a camera that takes pictures");
+    if (insets_.empty()) ImGui::TextDisabled("no robot has a camera that is on");
     update(session);
     for (Inset& inset : insets_) {
       if (isWanted(session, inset)) drawInset(inset);
@@ -45,8 +45,8 @@ class CamerasPanel final : public Panel {
     listed_ = true;
     const ControlLoop& control = *session.simulation().control();
     for (int i = 0; i < control.robotCount(); ++i) {
-      for (std::size_t k = 0; k < control.robot(i).cameras.size(); ++k) {
-        if (control.robot(i).cameras[k] == nullptr) continue;
+      for (std::size_t k = 0; k < control.robot(i).cameraCount(); ++k) {
+        if (control.robot(i).camera(k) == nullptr) continue;
         Inset& inset = insets_.emplace_back();
         inset.robot = i, inset.camera = k;
       }
@@ -71,11 +71,10 @@ class CamerasPanel final : public Panel {
       const KeptPercepts& kept = session.game().keeper().of(inset.robot, inset.camera);
       if (kept.time < 0 || (kept.time == inset.time && !all)) continue;
       inset.time = kept.time;
-      const RobotCamera& camera = *simulation.control()->robot(inset.robot).cameras[inset.camera];
-      inset.picture = camera.picture();
-      if (percepts_) drawPercepts(kept.percepts, inset.picture);
-      inset.shown.set(inset.picture);
-      inset.caption = fmt::format("{}  T {:.2f}  {}", session.world().path(camera.object()), kept.time, kept.activity);
+      const ControlledRobot& robot = simulation.control()->robot(inset.robot);
+      const std::span<const client::Percept> percepts(kept.percepts);
+      inset.shown.set(cameraPicture(robot, inset.camera, percepts_ ? percepts : percepts.first(0)));
+      inset.caption = fmt::format("{}  T {:.2f}  {}", robot.camera(inset.camera)->path(), kept.time, kept.activity);
     }
   }
 

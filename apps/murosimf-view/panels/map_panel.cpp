@@ -23,8 +23,11 @@ Near seenFrom(const PlanarPose& robot, double x, double y) {
 
 constexpr ImU32 kTruth = IM_COL32(120, 230, 120, 255), kBelief = IM_COL32(255, 170, 60, 255);
 
+/// The marks of what was found: balls and robots as rings, posts and poles as squares, points of lines as dots.
+constexpr ImU32 kFound = IM_COL32(205, 150, 255, 255);
+
 /// What the control software of the selected robot believes, in the robot's coordinates, against what is: lines of the
-/// field from where it believes to stand, its ball and the truth.
+/// field from where it believes to stand, what it found in its last pictures, its ball and the truth.
 class MapPanel final : public Panel {
  public:
   MapPanel() : Panel("Map", {0.78F, 0.5F, 0.22F, 0.5F}, false) {}
@@ -42,11 +45,16 @@ class MapPanel final : public Panel {
     ImGui::TextColored({0.47F, 0.9F, 0.47F, 1}, "truth");
     ImGui::SameLine();
     ImGui::TextColored({1, 0.67F, 0.24F, 1}, "belief");
+    ImGui::SameLine();
+    ImGui::TextColored({0.8F, 0.59F, 1, 1}, "found");
     const Pose X_WB = simulation.linked().handle(object, kBasePose).get();
     const PlanarPose truth{X_WB.translation.x, X_WB.translation.y, toRollPitchYaw(X_WB.rotation).z};
     begin();
     drawField(session, truth, kTruth);
     if (report != nullptr) drawBelief(session, *report, object, truth);
+    for (std::size_t k = 0; k < simulation.control()->robot(robot).cameraCount(); ++k) {
+      for (const client::Percept& percept : session.game().keeper().of(robot, k).percepts) drawFound(percept);
+    }
     drawBall(session, truth);
     drawRobot();
   }
@@ -107,6 +115,22 @@ class MapPanel final : public Panel {
     if (!report.ball_known) return;
     const ImVec2 ball = place({report.ball_x, report.ball_y});
     canvas_->AddCircleFilled(ball, 5, kBelief);
+  }
+
+  void drawFound(const client::Percept& percept) {
+    const SinCos<double> a = sincos(percept.bearing);
+    const ImVec2 p = place({percept.distance * a.cos, percept.distance * a.sin});
+    switch (percept.kind) {
+      case client::Percept::Kind::kLinePoint:
+        return canvas_->AddCircleFilled(p, 2, kFound);
+      case client::Percept::Kind::kPost:
+      case client::Percept::Kind::kPole:
+        return canvas_->AddRect({p.x - 4, p.y - 4}, {p.x + 4, p.y + 4}, kFound, 0, 0, 1.5F);
+      case client::Percept::Kind::kRobot:
+        return canvas_->AddCircle(p, 8, kFound, 16, 1.5F);
+      case client::Percept::Kind::kBall:
+        return canvas_->AddCircle(p, 4, kFound, 12, 1.5F);
+    }
   }
 
   void drawBall(Session& session, const PlanarPose& truth) {

@@ -83,8 +83,43 @@ void drawLabel(const Percept& p, Canvas& canvas) {
 
 std::vector<std::size_t> cameraCounts(const ControlLoop& control) {
   std::vector<std::size_t> counts;
-  for (int i = 0; i < control.robotCount(); ++i) counts.push_back(control.robot(i).cameras.size());
+  for (int i = 0; i < control.robotCount(); ++i) counts.push_back(control.robot(i).cameraCount());
   return counts;
+}
+
+Percept::Kind perceptOf(client::ThingKind kind) {
+  switch (kind) {
+    case client::ThingKind::kBall:
+      return Percept::Kind::kBall;
+    case client::ThingKind::kRobot:
+      return Percept::Kind::kRobot;
+    case client::ThingKind::kPost:
+      return Percept::Kind::kPost;
+    case client::ThingKind::kPole:
+      return Percept::Kind::kPole;
+    case client::ThingKind::kLine:
+      break;
+  }
+  return Percept::Kind::kLinePoint;
+}
+
+/// A kind arrives by itself, so what was found of others in looks before stays.
+void keepSights(const client::CameraSights& sights, const client::ControlReport& report, KeptPercepts& kept) {
+  const Percept::Kind kind = perceptOf(sights.kind);
+  kept.time = std::max(kept.time, sights.time);
+  kept.activity = report.activity;
+  std::erase_if(kept.percepts, [&](const Percept& p) { return p.kind == kind; });
+  std::copy_if(report.percepts.begin(), report.percepts.end(), std::back_inserter(kept.percepts),
+               [&](const Percept& p) { return p.camera == sights.camera && p.kind == kind; });
+}
+
+/// In the place of the picture of a camera that takes none.
+Picture plainPicture(const CameraModel& camera) {
+  Picture picture;
+  picture.has_depth = picture.has_label = false;
+  picture.resize(camera.width, camera.height);
+  Canvas(picture).fill({0, 0}, {camera.width - 1.0, camera.height - 1.0}, {46, 50, 56});
+  return picture;
 }
 
 std::string captionOf(const std::string& camera, const KeptPercepts& kept) {
@@ -121,6 +156,8 @@ void PerceptKeeper::keep(int robot, const client::SensorFrame& sensors, const cl
     std::copy_if(report.percepts.begin(), report.percepts.end(), std::back_inserter(kept.percepts),
                  [&](const Percept& p) { return p.camera == picture.camera; });
   }
+  for (const client::CameraSights& sights : sensors.sights)
+    keepSights(sights, report, r.cameras[static_cast<std::size_t>(sights.camera)]);
 }
 
 const KeptPercepts& PerceptKeeper::of(int robot, std::size_t camera) const {
@@ -133,6 +170,13 @@ void drawPercepts(std::span<const Percept> percepts, Picture& picture) {
   for (const Percept& p : percepts) drawLabel(p, canvas);
 }
 
+Picture cameraPicture(const ControlledRobot& robot, std::size_t camera, std::span<const Percept> percepts) {
+  const bool takes_pictures = camera < robot.cameras.size() && robot.cameras[camera] != nullptr;
+  Picture picture = takes_pictures ? robot.cameras[camera]->picture() : plainPicture(robot.oracles[camera]->model());
+  drawPercepts(percepts, picture);
+  return picture;
+}
+
 std::vector<std::filesystem::path> writeCameraPictures(const std::filesystem::path& directory, Simulation& simulation,
                                                        const PerceptKeeper& keeper) {
   std::vector<std::filesystem::path> files;
@@ -140,12 +184,11 @@ std::vector<std::filesystem::path> writeCameraPictures(const std::filesystem::pa
   if (control == nullptr) return files;
   control->finish();
   for (int i = 0; i < control->robotCount(); ++i) {
-    const auto& cameras = control->robot(i).cameras;
-    for (std::size_t k = 0; k < cameras.size(); ++k) {
-      if (cameras[k] == nullptr || keeper.of(i, k).time < 0) continue;
-      const std::string name = simulation.world().path(cameras[k]->object());
-      Picture picture = cameras[k]->picture();
-      drawPercepts(keeper.of(i, k).percepts, picture);
+    const ControlledRobot& robot = control->robot(i);
+    for (std::size_t k = 0; k < robot.cameraCount(); ++k) {
+      if (robot.camera(k) == nullptr || keeper.of(i, k).time < 0) continue;
+      const std::string& name = robot.camera(k)->path();
+      Picture picture = cameraPicture(robot, k, keeper.of(i, k).percepts);
       Canvas(picture).caption(captionOf(name, keeper.of(i, k)));
       files.push_back(directory / (name + ".png"));
       writePng(files.back(), picture);

@@ -3,7 +3,8 @@
 /// @file What the robots' cameras saw, with what their control software found in it drawn in.
 ///
 /// A program's report holds the percepts of its last step, which may have had pictures of another camera or none; so
-/// the keeper puts aside, per camera, the percepts of the step to which that camera's last picture was delivered.
+/// the keeper puts aside, per camera, the percepts of the step to which that camera's last picture was delivered. Of a
+/// camera of level "oracle", which takes no picture, those of the last look, each kind when it arrived.
 
 #include <filesystem>
 #include <span>
@@ -16,7 +17,7 @@ namespace murosimf {
 
 /// What was found in one camera's last picture.
 struct KeptPercepts {
-  double time = -1;  ///< of the picture [s]; negative: no picture yet
+  double time = -1;  ///< of the picture or look [s]; negative: none yet
   std::vector<client::Percept> percepts;
   const char* activity = "";  ///< of the robot, when it had seen the picture
 };
@@ -52,8 +53,12 @@ class PerceptKeeper final : public ControlObserver {
 /// width with an upright on it, line points as crosses.
 void drawPercepts(std::span<const client::Percept> percepts, Picture& picture);
 
-/// Writes DIRECTORY/<camera's path>.png for every camera that has taken a picture: `robots.red.1.head.png`, with
-/// percepts and a caption (camera, time, activity). Waits for the programs first. @returns the files, in order of
+/// What a camera delivered last, with these percepts drawn in: its picture, or a plain one of its size where it tells
+/// of what it sees instead. Only while no program runs.
+Picture cameraPicture(const ControlledRobot& robot, std::size_t camera, std::span<const client::Percept> percepts);
+
+/// Writes DIRECTORY/<camera's path>.png for every camera that has taken a picture or looked: `robots.red.1.head.png`,
+/// with percepts and a caption (camera, time, activity). Waits for the programs first. @returns the files, in order of
 /// robots
 /// @throws std::runtime_error as writePng() does.
 std::vector<std::filesystem::path> writeCameraPictures(const std::filesystem::path& directory, Simulation& simulation,

@@ -44,6 +44,7 @@ PerceptStatistics::PerceptStatistics(const MatchSettings& match, Simulation& sim
   if (match.ball.valid()) {
     ball_ = simulation.linked().handle(match.ball, kBasePose);
     ball_label_ = simulation.view().labelOf(match.ball);
+    ball_radius_ = match.field.ball_radius;
   }
   if (simulation.control() == nullptr) return;
   accounts_.resize(static_cast<std::size_t>(simulation.control()->robotCount()));
@@ -70,30 +71,51 @@ void PerceptStatistics::onStep(int robot, long, const client::SensorFrame& senso
   Account& account = accounts_[static_cast<std::size_t>(robot)];
   account.kicks = report.kicks_started;
   if (ball_label_ != 0) {
-    for (const client::CameraPicture& picture : sensors.pictures) lookAtPicture(account, picture, controlled, report);
+    for (const client::CameraPicture& picture : sensors.pictures) {
+      const RobotCamera& camera = *controlled.cameras[static_cast<std::size_t>(picture.camera)];
+      judge(account, ballIn(camera), picture.camera, report);
+    }
+    for (const client::CameraSights& sights : sensors.sights) {
+      if (sights.kind != client::ThingKind::kBall) continue;
+      const OracleCamera& camera = *controlled.oracles[static_cast<std::size_t>(sights.camera)];
+      judge(account, ballIn(camera), sights.camera, report);
+    }
   }
   if (sensors.game.phase == client::GamePhase::kPlaying) checkPose(account, report);
 }
 
-void PerceptStatistics::lookAtPicture(Account& account, const client::CameraPicture& picture,
-                                      const ControlledRobot& controlled, const client::ControlReport& report) const {
-  const auto& camera = controlled.cameras[static_cast<std::size_t>(picture.camera)];
-  const LabelBlob ball = findLabel(camera->picture(), ball_label_);
-  const double tolerance = std::max(kMatchPixels, kMatchRadii * ball.radius());
+PerceptStatistics::ShownBall PerceptStatistics::ballIn(const RobotCamera& camera) const {
+  const LabelBlob blob = findLabel(camera.picture(), ball_label_);
+  return {blob.pixels > 0, blob.pixels >= kVisiblePixels, blob.u, blob.v, blob.radius()};
+}
+
+PerceptStatistics::ShownBall PerceptStatistics::ballIn(const OracleCamera& camera) const {
+  for (const ArrivedSights& arrived : camera.arrived()) {
+    if (arrived.kind != SightKind::kBall || arrived.truth.empty()) continue;
+    const Vector3& p_C = arrived.truth[0].p_C;
+    const auto place = projectPoint(camera.model(), p_C);
+    if (place) return {true, true, place->u, place->v, camera.model().fx * ball_radius_ / p_C.z};
+  }
+  return {};
+}
+
+void PerceptStatistics::judge(Account& account, const ShownBall& ball, int camera,
+                              const client::ControlReport& report) {
+  const double tolerance = std::max(kMatchPixels, kMatchRadii * ball.radius);
   PerceptResult& counts = account.counts;
   bool found = false;
   for (const client::Percept& percept : report.percepts) {
-    if (percept.kind != client::Percept::Kind::kBall || percept.camera != picture.camera) continue;
+    if (percept.kind != client::Percept::Kind::kBall || percept.camera != camera) continue;
     ++counts.ball_percepts;
     const double u = percept.u - ball.u, v = percept.v - ball.v;
-    if (ball.pixels == 0 || u * u + v * v > tolerance * tolerance) continue;
+    if (!ball.shown || u * u + v * v > tolerance * tolerance) continue;
     ++counts.ball_percepts_right;
     found = true;
     account.distance.add(std::fabs(percept.distance - account.ball_distance) /
                          std::max(account.ball_distance, kSmallestDistance));
   }
   ++counts.pictures;
-  if (ball.pixels < kVisiblePixels) return;
+  if (!ball.visible) return;
   ++counts.pictures_with_ball;
   counts.ball_found += found ? 1 : 0;
 }

@@ -4,6 +4,8 @@
 ///
 /// Ball visible  The picture shows at least 12 pixels of it; its centre is their centroid, its radius that of a circle
 ///               of this area (a half hidden ball counts with what is seen of it).
+///               A camera of level "oracle" takes no picture; its look counts as one. The ball is visible in it when
+///               the look saw it, whether that was told or missed, and has its true centre and radius.
 /// Match         A ball percept of that picture's camera within max(4 px, 1.5 radii) of the centre.
 /// Recall        pictures with a match / pictures in which the ball is visible.
 /// Precision     ball percepts that match / ball percepts; here a single pixel of the ball is enough to be right.
@@ -70,12 +72,19 @@ class PerceptStatistics final : public ControlObserver, public FrameObserver {
     Samples distance, position, heading;
     void archive(StateArchive& archive);
   };
-  void lookAtPicture(Account& account, const client::CameraPicture& picture, const ControlledRobot& controlled,
-                     const client::ControlReport& report) const;
+  /// The ball in a camera's picture, or as the lens would show what a look saw.
+  struct ShownBall {
+    bool shown = false, visible = false;
+    double u = 0, v = 0, radius = 0;  // [px]
+  };
+  ShownBall ballIn(const RobotCamera& camera) const;
+  ShownBall ballIn(const OracleCamera& camera) const;
+  static void judge(Account& account, const ShownBall& ball, int camera, const client::ControlReport& report);
   static void checkPose(Account& account, const client::ControlReport& report);
 
   Handle<Pose> ball_;
   std::uint16_t ball_label_ = 0;
+  double ball_radius_ = 0;
   std::vector<Account> accounts_;
 };
 

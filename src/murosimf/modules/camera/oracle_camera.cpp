@@ -67,18 +67,31 @@ OracleCamera::OracleCamera(const World& world, const SceneView& view, ObjectId r
   const std::size_t room = 2 * landmarks_.size() + 64;  // lines may be seen in parts
   for (std::size_t k = 0; k < kSightKinds; ++k) {
     const double delay = settings.errors[k].delay;
-    queues_[k] = SightQueue(std::lround(delay / frame_length),
-                            static_cast<std::size_t>(std::ceil(delay / settings.period)) + 2, room);
-    told_[k].reserve(room);
-    arrived_[k].sightings.reserve(room);
+    queues_[k] = true_queues_[k] = SightQueue(std::lround(delay / frame_length),
+                                              static_cast<std::size_t>(std::ceil(delay / settings.period)) + 2, room);
+    for (std::vector<Sighting>* list : {&told_[k], &true_[k], &arrived_[k].sightings, &arrived_[k].truth})
+      list->reserve(room);
+  }
+}
+
+void OracleCamera::noteTruth(std::span<const TrueSight> seen, const Pose& X_WC) {
+  for (std::vector<Sighting>& sightings : true_) sightings.clear();
+  for (const TrueSight& sight : seen) {
+    const SightKind kind = eye_.targets()[static_cast<std::size_t>(sight.target)].kind;
+    true_[kindIndex(kind)].push_back({sight.target, applyInverse(X_WC, sight.p_W), applyInverse(X_WC, sight.q_W)});
   }
 }
 
 void OracleCamera::look() {
   const auto& [scene, X_WC, frame] = order_;
   const LookMoment moment{static_cast<std::uint64_t>(frame + 1), timeOf(frame), X_WC};
-  distorter_.distort(eye_, eye_.look(*scene, X_WC), moment, told_);
-  for (std::size_t k = 0; k < kSightKinds; ++k) queues_[k].add(told_[k], frame);
+  const std::span<const TrueSight> seen = eye_.look(*scene, X_WC);
+  distorter_.distort(eye_, seen, moment, told_);
+  noteTruth(seen, X_WC);
+  for (std::size_t k = 0; k < kSightKinds; ++k) {
+    queues_[k].add(told_[k], frame);
+    true_queues_[k].add(true_[k], frame);
+  }
 }
 
 bool OracleCamera::deliver(long frame) {
@@ -87,6 +100,7 @@ bool OracleCamera::deliver(long frame) {
     ArrivedSights& arrived = arrived_[arrived_count_];
     const long taken = queues_[k].next(frame, arrived.sightings);
     if (taken < 0) continue;
+    true_queues_[k].next(frame, arrived.truth);
     arrived.kind = static_cast<SightKind>(k);
     arrived.time = timeOf(taken);
     ++arrived_count_;
@@ -95,7 +109,7 @@ bool OracleCamera::deliver(long frame) {
 }
 
 void OracleCamera::archive(StateArchive& archive) {
-  for (SightQueue& queue : queues_) archive(queue);
+  for (std::size_t k = 0; k < kSightKinds; ++k) archive(queues_[k], true_queues_[k]);
 }
 
 }  // namespace murosimf

@@ -52,6 +52,7 @@ struct ArrivedSights {
   SightKind kind = SightKind::kBall;
   double time = 0;  ///< of the look [s]
   std::vector<Sighting> sightings;
+  std::vector<Sighting> truth;  ///< what the look really saw, for those who judge what is made of it
 };
 
 class OracleCamera final : public MountedCamera {
@@ -82,13 +83,15 @@ class OracleCamera final : public MountedCamera {
     Pose X_WC;
     long frame = 0;
   };
+  void noteTruth(std::span<const TrueSight> seen, const Pose& X_WC);
+
   std::vector<Landmark> landmarks_;
   OracleSettings settings_;
   Order order_;
   OracleEye eye_;
   SightDistorter distorter_;
-  SightingsByKind told_;
-  std::array<SightQueue, kSightKinds> queues_;
+  SightingsByKind told_, true_;
+  std::array<SightQueue, kSightKinds> queues_, true_queues_;
   std::array<ArrivedSights, kSightKinds> arrived_;
   std::size_t arrived_count_ = 0;
 };
