@@ -1,6 +1,11 @@
 // Cameras and localisation of level "oracle" as scenarios choose them: what is refused, what arrives and when.
 
+#include <oneapi/tbb/global_control.h>
+
 #include <cmath>
+#include <mutex>
+#include <set>
+#include <thread>
 
 #include "scene/built_world.h"
 
@@ -43,12 +48,27 @@ struct Heard {
   std::vector<client::ToldPose> mates;
 };
 
+/// The threads on which programs were stepped.
+class ThreadsSeen {
+ public:
+  void note() {
+    const std::lock_guard lock(mutex_);
+    seen_.insert(std::this_thread::get_id());
+  }
+  std::size_t count() const { return seen_.size(); }
+
+ private:
+  std::mutex mutex_;
+  std::set<std::thread::id> seen_;
+};
+
 /// Keeps what the first red robot hears.
 class Listener final : public client::ControlSoftware {
  public:
-  explicit Listener(std::vector<Heard>& heard) : heard_(heard) {}
+  Listener(std::vector<Heard>& heard, ThreadsSeen& threads) : heard_(heard), threads_(threads) {}
   void start(const client::RobotDescription& robot) override { listens_ = robot.team == "red" && robot.number == 1; }
   void step(const client::SensorFrame& sensors, client::CommandFrame&) override {
+    threads_.note();
     if (!listens_) return;
     Heard heard;
     heard.time = sensors.time, heard.pictures = sensors.pictures.size(), heard.own = sensors.own_pose;
@@ -62,6 +82,7 @@ class Listener final : public client::ControlSoftware {
 
  private:
   std::vector<Heard>& heard_;
+  ThreadsSeen& threads_;
   bool listens_ = false;
   client::ControlReport report_;
 };
@@ -90,7 +111,8 @@ struct OracleGame {
     Landmark line;
     line.kind = SightKind::kLine, line.a = {0, -3, 0}, line.b = {0, 3, 0};
     builder.addLandmarks({line});
-    simulation = builder.link(allModules(), {{"listener", [this] { return std::make_unique<Listener>(heard); }}});
+    simulation =
+        builder.link(allModules(), {{"listener", [this] { return std::make_unique<Listener>(heard, threads); }}});
     EXPECT_EQ(diagnostics.text(), "");
   }
   void run(int frames) {
@@ -112,6 +134,7 @@ struct OracleGame {
   }
 
   Scene scene;
+  ThreadsSeen threads;
   std::vector<Heard> heard;
   std::unique_ptr<Simulation> simulation;
 };
@@ -234,8 +257,12 @@ void expectSame(const std::vector<Heard>& a, const std::vector<Heard>& b) {
 }
 
 TEST(Oracle, TellsTheSameBitsForAnyNumberOfThreads) {
+  // As many workers as threads are asked for, also on a machine with fewer processors.
+  const oneapi::tbb::global_control workers(oneapi::tbb::global_control::max_allowed_parallelism, 4);
   OracleGame one(kWrong, {"simulation.threads=1"}), four(kWrong, {"simulation.threads=4"});
   one.run(1000), four.run(1000);
+  EXPECT_EQ(one.threads.count(), 1U);
+  EXPECT_GT(four.threads.count(), 2U) << "three robots, one of four threads each";
   expectSame(one.heard, four.heard);
 }
 
