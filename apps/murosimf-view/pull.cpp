@@ -24,10 +24,13 @@ Pose poseOf(Simulation& simulation, ObjectId object, int row) {
 
 }  // namespace
 
-bool Pull::canBePulled(Simulation& simulation, ObjectId object) {
+std::string Pull::refusal(Simulation& simulation, ObjectId object) {
+  const std::string& path = simulation.world().path(object);
   const auto& free = simulation.participants().free_bodies;
-  if (std::find(free.begin(), free.end(), object) != free.end()) return true;
-  return isRobot(simulation, object) && simulation.linked().handle(object, kPairForce, subset::kBodies).valid();
+  if (std::find(free.begin(), free.end(), object) != free.end()) return "";
+  if (!isRobot(simulation, object)) return path + " feels no pull: it never moves";
+  if (simulation.linked().handle(object, kPairForce, subset::kBodies).valid()) return "";
+  return path + " feels no pull: at this level of detail its motion is prescribed";
 }
 
 Pull::Pull(Simulation& simulation, ObjectId object, int row, const Vector3& p_W)

@@ -8,6 +8,7 @@
 /// places.
 
 #include <optional>
+#include <string>
 
 #include "murosimf/simulation/frame_history.h"
 
@@ -23,8 +24,8 @@ class Pull {
   void request(Simulation& simulation, FrameHistory& history);
   /// Where it holds the body now.
   Vector3 place(Simulation& simulation) const;
-  /// False for something that does not feel pushes: it never moves, or its motion is prescribed.
-  static bool canBePulled(Simulation& simulation, ObjectId object);
+  /// Why something does not feel a pull: it never moves, or its motion is prescribed. Empty where it does.
+  static std::string refusal(Simulation& simulation, ObjectId object);
 
  private:
   ObjectId object_;

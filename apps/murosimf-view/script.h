@@ -15,7 +15,7 @@
 ///     camera -1.2 0.5 4 0 0 0.2    azimuth, elevation, distance, target
 ///     wait 3                   pictures
 ///     screenshot FILE          of the window
-///     expect running|paused    and more: see script.cpp
+///     expect running|paused    and more: see script_commands.cpp
 ///     # words                  are not read
 
 #include <filesystem>
@@ -36,25 +36,26 @@ struct ScriptLine {
 /// @throws std::runtime_error naming file and line for a command that is not known or has too few words
 std::vector<ScriptLine> readScript(const std::filesystem::path& file);
 
+/// What a script's person is about to do.
+struct ScriptHand {
+  Window::ScriptedMouse mouse;
+  std::vector<Window::ScriptedMouse> moves;  ///< one a picture, still to come
+  long frames = 0;                           ///< still to be run
+};
+
 class ScriptRunner {
  public:
   explicit ScriptRunner(std::vector<ScriptLine> lines) : lines_(std::move(lines)) {}
   /// What the mouse does in the next picture.
-  const Window::ScriptedMouse& mouse() const { return mouse_; }
+  const Window::ScriptedMouse& mouse() const { return hand_.mouse; }
   /// Between two pictures: does what comes next. False when all is done.
   /// @throws std::runtime_error naming the line for something that is not there or not as expected
   bool next(Viewer& viewer);
 
  private:
-  void act(Viewer& viewer, const ScriptLine& line);
-  void click(const ScriptLine& line);
-  void drag(const ScriptLine& line);
-
   std::vector<ScriptLine> lines_;
   std::size_t next_ = 0;
-  Window::ScriptedMouse mouse_;
-  std::vector<Window::ScriptedMouse> moves_;  // one a picture, still to come
-  long frames_ = 0;                           // still to be run
+  ScriptHand hand_;
 };
 
 }  // namespace murosimf

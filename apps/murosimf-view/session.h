@@ -61,6 +61,7 @@ class Session {
   int selected_row = 0;  ///< of a robot: the body that was clicked
 
   std::optional<Pull> pull;  ///< acts while there is one
+  std::string pull_refused;  ///< why the last attempt to pull had no effect, until the next click; empty: it had
 
   /// Shows a recording in the place of the simulation, until it is closed. @throws as RecordingPlayer
   void openRecording(const std::string& file);

@@ -41,6 +41,19 @@ void SceneViewport::draw(Session& session, int width, int height) {
   light.shadow_reach = std::clamp(camera.distance, 1.5, 6.0);
   renderer_.drawColours(list_, view_, light);
   drawTexts();
+  drawRefusal(session);
+}
+
+/// In the middle below, where no panel stands at first.
+void SceneViewport::drawRefusal(const Session& session) const {
+  if (session.pull_refused.empty()) return;
+  const ImVec2 size = ImGui::CalcTextSize(session.pull_refused.c_str());
+  const ImVec2 from{0.5F * (static_cast<float>(view_.camera.width) - size.x),
+                    static_cast<float>(view_.camera.height) - 3 * size.y};
+  ImDrawList* canvas = ImGui::GetBackgroundDrawList();
+  canvas->AddRectFilled({from.x - 8, from.y - 6}, {from.x + size.x + 8, from.y + size.y + 6}, IM_COL32(90, 30, 20, 220),
+                        4);
+  canvas->AddText(from, IM_COL32(255, 225, 200, 255), session.pull_refused.c_str());
 }
 
 void SceneViewport::drawTexts() const {
@@ -109,9 +122,10 @@ void SceneViewport::beginPull(Session& session) {
   if (!object.valid()) return;
   session.selected = object;
   session.selected_row = rowOfPart(hit.id);
-  if (Pull::canBePulled(session.simulation(), object)) {
-    session.pull.emplace(session.simulation(), object, rowOfPart(hit.id), hit.p_W);
-  }
+  session.pull_refused = session.recording() != nullptr ? "a recording feels no pull: go back to the simulation"
+                                                        : Pull::refusal(session.simulation(), object);
+  if (!session.pull_refused.empty()) return;
+  session.pull.emplace(session.simulation(), object, rowOfPart(hit.id), hit.p_W);
 }
 
 /// The target stays as far from the camera as it is.
@@ -126,6 +140,7 @@ void SceneViewport::handleMouse(Session& session) {
   const ImGuiIO& io = ImGui::GetIO();
   if (session.pull && !ImGui::IsMouseDown(0)) session.pull.reset();
   if (session.pull) return movePull(session);
+  if (ImGui::IsMouseClicked(0)) session.pull_refused.clear();
   if (io.WantCaptureMouse) return;
   if (io.MouseWheel != 0) camera.zoom(std::pow(kZoomAStep, static_cast<double>(io.MouseWheel)));
   const double width = std::max(1, view_.camera.width);

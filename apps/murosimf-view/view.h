@@ -39,6 +39,7 @@ class SceneViewport {
 
  private:
   void drawTexts() const;
+  void drawRefusal(const Session& session) const;
   void drawSelection(Session& session);
   void drawPull(Session& session);
   void beginPull(Session& session);

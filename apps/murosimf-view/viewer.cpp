@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <map>
 
 #include "murosimf-view/panels/all_panels.h"
 #include "murosimf/simulation/png_writer.h"
@@ -18,6 +20,40 @@ namespace {
 
 /// Wall time that frames may take of one picture's: the rest is for drawing.
 constexpr double kBudget = 0.025;
+
+using KeyAction = void (*)(Viewer&);
+
+void jump(Viewer& viewer, double seconds) {
+  viewer.session().goBy(std::lround(seconds / viewer.session().simulation().frameLength()));
+}
+
+void goFree(Viewer& viewer) {
+  viewer.view().follows = false;
+  viewer.session().selected = {};
+}
+
+/// What keys do, as docs/viewer.md lists them.
+const std::map<int, KeyAction>& keyActions() {
+  static const KeyAction faster = [](Viewer& v) { v.session().changeSpeed(true); };
+  static const KeyAction slower = [](Viewer& v) { v.session().changeSpeed(false); };
+  static const std::map<int, KeyAction> all{
+      {GLFW_KEY_SPACE, [](Viewer& v) { v.session().running = !v.session().running; }},
+      {GLFW_KEY_RIGHT, [](Viewer& v) { v.session().goBy(1); }},
+      {GLFW_KEY_LEFT, [](Viewer& v) { v.session().goBy(-1); }},
+      {GLFW_KEY_PAGE_DOWN, [](Viewer& v) { jump(v, 0.1); }},
+      {GLFW_KEY_PAGE_UP, [](Viewer& v) { jump(v, -0.1); }},
+      {GLFW_KEY_EQUAL, faster},
+      {GLFW_KEY_KP_ADD, faster},
+      {GLFW_KEY_MINUS, slower},
+      {GLFW_KEY_KP_SUBTRACT, slower},
+      {GLFW_KEY_F1, [](Viewer& v) { v.panel("Help")->open = !v.panel("Help")->open; }},
+      {GLFW_KEY_TAB, [](Viewer& v) { v.panels_shown = !v.panels_shown; }},
+      {GLFW_KEY_F, [](Viewer& v) { v.view().follows = v.session().selected.valid(); }},
+      {GLFW_KEY_ESCAPE, goFree},
+      {GLFW_KEY_F12,
+       [](Viewer& v) { v.screenshot(fmt::format("murosimf_{:.3f}s.png", v.session().simulation().time())); }}};
+  return all;
+}
 
 }  // namespace
 
@@ -30,43 +66,8 @@ Panel* Viewer::panel(const std::string& title) {
 }
 
 void Viewer::press(int key) {
-  const long frames_a_jump = std::lround(0.1 / session_.simulation().frameLength());
-  switch (key) {
-    case GLFW_KEY_SPACE:
-      session_.running = !session_.running;
-      break;
-    case GLFW_KEY_RIGHT:
-      return session_.goBy(1);
-    case GLFW_KEY_LEFT:
-      return session_.goBy(-1);
-    case GLFW_KEY_PAGE_DOWN:
-      return session_.goBy(frames_a_jump);
-    case GLFW_KEY_PAGE_UP:
-      return session_.goBy(-frames_a_jump);
-    case GLFW_KEY_EQUAL:
-    case GLFW_KEY_KP_ADD:
-      return session_.changeSpeed(true);
-    case GLFW_KEY_MINUS:
-    case GLFW_KEY_KP_SUBTRACT:
-      return session_.changeSpeed(false);
-    case GLFW_KEY_F1:
-      panel("Help")->open = !panel("Help")->open;
-      break;
-    case GLFW_KEY_TAB:
-      panels_shown = !panels_shown;
-      break;
-    case GLFW_KEY_F:
-      view_.follows = session_.selected.valid();
-      break;
-    case GLFW_KEY_ESCAPE:
-      view_.follows = false;
-      session_.selected = {};
-      break;
-    case GLFW_KEY_F12:
-      return screenshot(fmt::format("murosimf_{:.3f}s.png", session_.simulation().time()));
-    default:
-      break;
-  }
+  const auto known = keyActions().find(key);
+  if (known != keyActions().end()) known->second(*this);
 }
 
 void Viewer::drawMenu() {

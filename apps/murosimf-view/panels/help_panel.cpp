@@ -14,7 +14,7 @@ constexpr Line kLines[] = {
     {"+, -", "twice as fast, half as fast"},
     {"F1", "this help"},
     {"Tab", "hide or show all panels"},
-    {"Esc", "free camera: follow nobody, nothing selected"},
+    {"Esc", "free camera, nothing selected"},
     {"F", "follow what is selected"},
     {"F12", "screenshot into the working folder"},
     {"left mouse", "orbit"},
@@ -26,11 +26,11 @@ constexpr Line kLines[] = {
 
 class HelpPanel final : public Panel {
  public:
-  HelpPanel() : Panel("Help", {0.3F, 0.2F, 0.4F, 0.45F}, false) {}
+  HelpPanel() : Panel("Help", {0.3F, 0.24F, 0.4F, 0.42F}, false) {}
 
  private:
   void draw(Session&, SceneViewport&) override {
-    if (!ImGui::BeginTable("keys", 2)) return;
+    if (!ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) return;
     for (const Line& line : kLines) {
       ImGui::TableNextColumn();
       ImGui::TextUnformatted(line.key);

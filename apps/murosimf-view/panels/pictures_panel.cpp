@@ -9,7 +9,7 @@ namespace {
 /// Screenshots and videos of the window.
 class PicturesPanel final : public Panel {
  public:
-  PicturesPanel() : Panel("Pictures", {0.4F, 0.05F, 0.22F, 0.2F}, false) {}
+  PicturesPanel() : Panel("Pictures", {0.6F, 0, 0.18F, 0.2F}, false) {}
 
  private:
   void draw(Session& session, SceneViewport& view) override {
@@ -21,10 +21,10 @@ class PicturesPanel final : public Panel {
       if (ui::button(named("video"), "begin a video")) begin(session, view);
     } else {
       if (ui::button(named("video"), "end the video")) problem_ = film.stop();
-      ImGui::Text("%s: %ld pictures", film.file().c_str(), film.pictures());
+      ImGui::Text("%s\n%ld pictures", film.file().c_str(), film.pictures());
     }
     if (!problem_.empty()) ImGui::TextWrapped("%s", problem_.c_str());
-    ImGui::TextDisabled("into the working folder, 25 pictures\na simulated second");
+    ImGui::TextDisabled("into the working folder\n25 pictures a simulated second");
   }
 
   void begin(Session& session, SceneViewport& view) {

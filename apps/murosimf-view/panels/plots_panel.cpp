@@ -38,14 +38,18 @@ class PlotsPanel final : public Panel {
     ImGui::SetNextItemWidth(160);
     ImGui::SliderFloat("seconds shown", &seconds_, 0.2F, 20, "%.1f", ImGuiSliderFlags_Logarithmic);
     ui::remember(named("seconds shown"));
+    const auto now = static_cast<float>(session.simulation().time());
+    ImGui::SameLine();
+    ImGui::TextDisabled("until T %.2f s", static_cast<double>(now));
     if (plots.empty()) ImGui::TextDisabled("click a variable in Objects to see it here over time");
     std::optional<std::size_t> removed;
-    const float height = std::max(70.0F, ImGui::GetContentRegionAvail().y / static_cast<float>(plots.size() + 1));
+    const auto count = static_cast<float>(std::max<std::size_t>(plots.size(), 1));
+    const float height = std::max(70.0F, ImGui::GetContentRegionAvail().y / count - ImGui::GetStyle().ItemSpacing.y);
     for (std::size_t i = 0; i < plots.size(); ++i) {
       ImGui::PushID(static_cast<int>(i));
       if (ui::button(named("remove " + std::to_string(i)), "x")) removed = i;
       ImGui::SameLine();
-      drawPlot(plots[i], static_cast<float>(session.simulation().time()), height);
+      drawPlot(plots[i], now, height);
       ImGui::PopID();
     }
     if (removed) session.plots().remove(*removed);
@@ -70,12 +74,18 @@ class PlotsPanel final : public Panel {
     for (std::size_t i = range.first; i + step < plot.values.size(); i += step) {
       canvas->AddLine(placeOf(i), placeOf(i + step), IM_COL32(120, 200, 255, 255), 1.5F);
     }
-    const ImU32 grey = IM_COL32(170, 170, 170, 255);
-    canvas->AddText({from.x + 3, from.y}, grey, fmt::format("{:.4g}", range.high).c_str());
-    canvas->AddText({from.x + 3, from.y + size.y - 14}, grey, fmt::format("{:.4g}", range.low).c_str());
-    const std::string end = fmt::format("T {:.2f}", now);
-    canvas->AddText({from.x + size.x - 8 * static_cast<float>(end.size()), from.y + size.y - 14}, grey, end.c_str());
+    drawBound(range.high, {from.x, from.y});
+    drawBound(range.low, {from.x, from.y + size.y - 14});
     ImGui::Dummy(size);
+  }
+
+  /// A number that is read across curves.
+  static void drawBound(float value, const ImVec2& from) {
+    const std::string words = fmt::format("{:.4g}", value);
+    const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+    ImDrawList* canvas = ImGui::GetWindowDrawList();
+    canvas->AddRectFilled(from, {from.x + size.x + 6, from.y + 14}, IM_COL32(25, 27, 32, 200));
+    canvas->AddText({from.x + 3, from.y}, IM_COL32(190, 190, 190, 255), words.c_str());
   }
 
   float seconds_ = 5;

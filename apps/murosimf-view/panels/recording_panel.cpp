@@ -9,7 +9,7 @@ namespace {
 /// Opens a recording of `murosimf run --record` and goes to any time of it.
 class RecordingPanel final : public Panel {
  public:
-  RecordingPanel() : Panel("Recording", {0.26F, 0.02F, 0.48F, 0.17F}, false) {}
+  RecordingPanel() : Panel("Recording", {0.24F, 0, 0.36F, 0.2F}, false) {}
 
  private:
   void draw(Session& session, SceneViewport&) override {
@@ -42,6 +42,7 @@ class RecordingPanel final : public Panel {
     if (ui::button(named("play"), session.running ? "pause" : "play")) session.running = !session.running;
     ImGui::SameLine();
     if (ui::button(named("close"), "back to the simulation")) session.closeRecording();
+    ImGui::TextDisabled("levels of detail are not recorded");
   }
 
   char file_[512] = "";

@@ -31,11 +31,12 @@ class RobotsPanel final : public Panel {
     ImGui::TableNextColumn();
     drawLevels(session, robot, path);
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(session.game().tagOf(number).c_str());
+    if (session.recording() == nullptr) ImGui::TextUnformatted(session.game().tagOf(number).c_str());
   }
 
   /// Only levels with which it was linked can be chosen.
   void drawLevels(Session& session, ObjectId robot, const std::string& path) {
+    if (session.recording() != nullptr) return ImGui::TextDisabled("not recorded");
     const LinkedWorld& linked = session.simulation().linked();
     const int count = linked.levelCount(robot), now = linked.levelOf(robot);
     const std::string shown = nameOfLevel(session, robot, now);

@@ -53,11 +53,15 @@ class SimulationPanel final : public Panel {
   }
 
   static void drawStages(const Session& session) {
+    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, {0.62F, 0.40F, 0.10F, 1});
     for (int i = 0; i < static_cast<int>(Stage::kCount); ++i) {
       const double share = session.figures().stage_shares[static_cast<std::size_t>(i)];
       const std::string words = fmt::format("{} {:.0f} %", nameOf(static_cast<Stage>(i)), 100 * share);
-      ImGui::ProgressBar(static_cast<float>(share), {-1, 13}, words.c_str());
+      ImGui::ProgressBar(static_cast<float>(share), {-1, 13}, "");
+      const ImVec2 corner = ImGui::GetItemRectMin();  // always at the left, where ImGui's own words follow the bar
+      ImGui::GetWindowDrawList()->AddText({corner.x + 4, corner.y}, ImGui::GetColorU32(ImGuiCol_Text), words.c_str());
     }
+    ImGui::PopStyleColor();
   }
 
   /// What went wrong: of the simulation, of robots, of renderers.
