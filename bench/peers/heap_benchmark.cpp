@@ -21,7 +21,7 @@ constexpr int kRounds = 151;
 constexpr std::size_t kRobots = 10;
 constexpr double kFall = 6, kSettled = 2;  // [s]
 constexpr double kAlike = 0.2;             // largest difference of contacts, share of the larger number
-constexpr double kContactTime = 0.05;      // [s] of MuJoCo's contacts: with its own 0.02 they are much harder than our turf
+constexpr double kContactTime = 0.05;  // [s] of MuJoCo's contacts: with its own 0.02 they are much harder than our turf
 
 /// Robots above one another, each turned another way; they fall on one another.
 class OurHeap {

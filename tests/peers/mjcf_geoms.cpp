@@ -35,11 +35,10 @@ std::string shapeText(const Shape& shape) {
   return fmt::format("type=\"ellipsoid\" size=\"{}\"", text(half));
 }
 
-std::string geom(const std::string& shape, const std::string& where, unsigned type, unsigned affinity,
-                 double friction, double contact_time = kContactTime) {
-  return fmt::format(
-      "<geom {} {} contype=\"{}\" conaffinity=\"{}\" friction=\"{} 0.005 0.0001\" solref=\"{} 1\"/>\n", shape, where, type,
-      affinity, friction, contact_time);
+std::string geom(const std::string& shape, const std::string& where, unsigned type, unsigned affinity, double friction,
+                 double contact_time = kContactTime) {
+  return fmt::format("<geom {} {} contype=\"{}\" conaffinity=\"{}\" friction=\"{} 0.005 0.0001\" solref=\"{} 1\"/>\n",
+                     shape, where, type, affinity, friction, contact_time);
 }
 
 std::string plane(unsigned type, double friction, double contact_time = kContactTime) {

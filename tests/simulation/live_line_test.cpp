@@ -57,10 +57,10 @@ TEST(LiveLine, NamesTheStageThatTookMostSinceTheLastLine) {
   };
   spend(Stage::kContacts, 60);  // long ago
   line.update(0, 0, paper.stages, "");
-  spend(Stage::kSense, 20);
+  spend(Stage::kAdvance, 20);
   spend(Stage::kPublish, 1);
   line.update(1, 1, paper.stages, "");
-  EXPECT_NE(paper.read().find("slowest: sense"), std::string::npos);
+  EXPECT_NE(paper.read().find("slowest: advance"), std::string::npos);
 }
 
 TEST(LiveLine, AShorterLineLeavesNothingOfALongerOne) {

@@ -52,7 +52,8 @@ class LaneValues {
   /// Without a loop, whose counting takes as long as the reading.
   template <class Visit>
   static void forEachNumber(Visit&& visit) {
-    [&]<int... I>(std::integer_sequence<int, I...>) { (visit(I), ...); }(std::make_integer_sequence<int, kNumbers>());
+    [&]<int... I>(std::integer_sequence<int, I...>) { (visit(I), ...); }
+    (std::make_integer_sequence<int, kNumbers>());
   }
   double* first_;
   int stride_;

@@ -46,8 +46,9 @@ void LinkedWorld::fetchState(const Batch& batch, int block) const {
 
 std::span<const int> LinkedWorld::seatedIn(std::size_t batch, int block) const {
   const int width = batches_[batch].width, first = block * width;
-  return std::span(seats_[batch]).subspan(static_cast<std::size_t>(first),
-                                          static_cast<std::size_t>(std::min(width, batches_[batch].seated - first)));
+  return std::span(seats_[batch])
+      .subspan(static_cast<std::size_t>(first),
+               static_cast<std::size_t>(std::min(width, batches_[batch].seated - first)));
 }
 
 void LinkedWorld::runFrame(long frame) {

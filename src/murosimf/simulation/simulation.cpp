@@ -96,8 +96,8 @@ void Simulation::forBlocks(int count, const Run& run) {
 void Simulation::runBlocks(std::initializer_list<Phase> phases) {
   for (std::size_t i = 0; i < linked_->batches().size(); ++i) {
     const Batch& batch = linked_->batches()[i];
-    const bool due = std::any_of(phases.begin(), phases.end(),
-                                 [&](Phase phase) { return linked_->anyDue(phase, batch, frame_); });
+    const bool due =
+        std::any_of(phases.begin(), phases.end(), [&](Phase phase) { return linked_->anyDue(phase, batch, frame_); });
     if (!due) continue;
     const auto run = [&](int block, double* step_memory) {
       linked_->fetchState(batch, block + 1);

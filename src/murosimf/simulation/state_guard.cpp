@@ -44,13 +44,15 @@ void StateGuard::keepHistories() {
   }
 }
 
-/// Those of one block move in the same phase.
+/// Those of one block move in the same phase. Of the block that comes next the robots are asked for.
 void StateGuard::look(std::span<const int> residents, Phase phase, long frame) {
   const double time = static_cast<double>(frame + 1) * linked_.frameLength();
   for (const int resident : residents) {
     const int number = robot_of_[static_cast<std::size_t>(resident)];
     if (number < 0) continue;
     Robot& robot = robots_[static_cast<std::size_t>(number)];
+    const std::size_t ahead = static_cast<std::size_t>(number) + residents.size();
+    if (ahead < robots_.size()) __builtin_prefetch(&robots_[ahead].history), __builtin_prefetch(&robots_[ahead].frozen);
     if (!robot.history.moved(phase, frame)) return;
     if (!robot.frozen && !robot.history.record(time)) robot.wrong = any_wrong_ = true;
   }

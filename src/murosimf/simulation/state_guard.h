@@ -69,10 +69,10 @@ class StateGuard {
   const World& world_;
   LinkedWorld& linked_;
   std::vector<Robot> robots_;
-  std::vector<int> robot_of_;             ///< number among robots_ of each resident; -1: none
-  std::atomic<bool> any_wrong_ = false;   ///< since the last freeze()
-  int frozen_ = 0;                        ///< how many are
-  std::vector<float> histories_;  ///< of a step those of all robots, then those of the next one
+  std::vector<int> robot_of_;            ///< number among robots_ of each resident; -1: none
+  std::atomic<bool> any_wrong_ = false;  ///< since the last freeze()
+  int frozen_ = 0;                       ///< how many are
+  std::vector<float> histories_;         ///< of a step those of all robots, then those of the next one
   std::vector<Fault> faults_;
 };
 

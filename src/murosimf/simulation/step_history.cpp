@@ -26,8 +26,8 @@ float* keep(const T& value, float* target) {
   return target;
 }
 /// Writes past the caches: a step is read again only when something went wrong, and would push out what the next frame
-/// needs. Both places at multiples of 16 bytes. Who reads from another thread has synchronised with this one by a locked
-/// instruction, behind which such writes are seen.
+/// needs. Both places at multiples of 16 bytes. Who reads from another thread has synchronised with this one by a
+/// locked instruction, behind which such writes are seen.
 void putAway(const std::vector<float>& step, float* target) {
 #ifdef __SSE__
   for (std::size_t i = 0; i < step.size(); i += kTogether) _mm_stream_ps(target + i, _mm_load_ps(step.data() + i));

@@ -14,8 +14,9 @@ class GlContext {
   virtual void makeCurrent() = 0;
 };
 
-/// A context without window or display, through EGL on Mesa's surfaceless platform: for tests and pictures.
-/// It is made current. @throws std::runtime_error saying which step failed
+/// A context without window or display, through EGL: on the first graphics card that lets us, else on Mesa's
+/// surfaceless platform. For tests and pictures. It is made current.
+/// @throws std::runtime_error saying which step failed last
 std::unique_ptr<GlContext> makeHiddenContext();
 
 /// What draws, of the current context.

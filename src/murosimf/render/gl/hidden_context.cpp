@@ -1,7 +1,10 @@
 #include <epoxy/egl.h>
 #include <fmt/format.h>
 
+#include <cstring>
+#include <exception>
 #include <stdexcept>
+#include <vector>
 
 #include "murosimf/render/gl/gl_context.h"
 
@@ -17,16 +20,37 @@ namespace {
 }
 
 /// The extension's function, not EGL 1.5's of the same name: the loader refuses that before a display exists.
-EGLDisplay openDisplay() {
-  if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) fail("EGL_MESA_platform_surfaceless");
-  const EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-  if (display == EGL_NO_DISPLAY) fail("eglGetPlatformDisplayEXT");
-  return display;
+EGLDisplay displayOf(EGLenum platform, void* native) { return eglGetPlatformDisplayEXT(platform, native, nullptr); }
+
+bool clientHas(const char* extension) { return epoxy_has_egl_extension(EGL_NO_DISPLAY, extension); }
+
+/// Graphics cards that EGL knows, whoever made their drivers; Mesa's software counts as a device too, and is left out.
+void addCards(std::vector<EGLDisplay>& displays) {
+  constexpr EGLint kMost = 16;
+  const bool listed = clientHas("EGL_EXT_device_enumeration") || clientHas("EGL_EXT_device_base");
+  if (!listed || !clientHas("EGL_EXT_platform_device")) return;
+  EGLDeviceEXT devices[kMost];
+  EGLint count = 0;
+  if (eglQueryDevicesEXT(kMost, devices, &count) == EGL_FALSE) return;
+  for (EGLint i = 0; i < count; ++i) {
+    const char* extensions = eglQueryDeviceStringEXT(devices[i], EGL_EXTENSIONS);
+    const bool software = extensions != nullptr && std::strstr(extensions, "EGL_MESA_device_software") != nullptr;
+    if (!software) displays.push_back(displayOf(EGL_PLATFORM_DEVICE_EXT, devices[i]));
+  }
+}
+
+/// In the order in which they are tried.
+std::vector<EGLDisplay> displaysWithoutScreen() {
+  std::vector<EGLDisplay> displays;
+  addCards(displays);
+  if (clientHas("EGL_MESA_platform_surfaceless"))
+    displays.push_back(displayOf(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY));
+  return displays;
 }
 
 class HiddenContext final : public GlContext {
  public:
-  HiddenContext() : display_(openDisplay()) {
+  explicit HiddenContext(EGLDisplay display) : display_(display) {
     if (eglInitialize(display_, nullptr, nullptr) == EGL_FALSE) fail("eglInitialize");
     if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) fail("eglBindAPI");
     const EGLint wanted[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_NONE};
@@ -63,6 +87,17 @@ class HiddenContext final : public GlContext {
 
 }  // namespace
 
-std::unique_ptr<GlContext> makeHiddenContext() { return std::make_unique<HiddenContext>(); }
+std::unique_ptr<GlContext> makeHiddenContext() {
+  std::exception_ptr why;
+  for (const EGLDisplay display : displaysWithoutScreen()) {
+    try {
+      return std::make_unique<HiddenContext>(display);
+    } catch (const std::runtime_error&) {
+      why = std::current_exception();  // a card that others may not use, for example: the next one will do
+    }
+  }
+  if (why != nullptr) std::rethrow_exception(why);
+  fail("EGL_EXT_platform_device, EGL_MESA_platform_surfaceless");
+}
 
 }  // namespace murosimf
