@@ -2,10 +2,10 @@
 
 #include <oneapi/tbb/global_control.h>
 
+#include <chrono>
 #include <cmath>
+#include <condition_variable>
 #include <mutex>
-#include <set>
-#include <thread>
 
 #include "scene/built_world.h"
 
@@ -48,27 +48,36 @@ struct Heard {
   std::vector<client::ToldPose> mates;
 };
 
-/// The threads on which programs were stepped.
-class ThreadsSeen {
+/// Where the programs of a game meet in each step, so that all of them run at the same time.
+class MeetingPoint {
  public:
-  void note() {
-    const std::lock_guard lock(mutex_);
-    seen_.insert(std::this_thread::get_id());
+  /// Waits until so many are here. Nobody waits for long, nor again after it was in vain.
+  void meet(int expected) {
+    std::unique_lock lock(mutex_);
+    ++arrived_;
+    const long round = (arrived_ + expected - 1) / expected;
+    if (arrived_ == round * expected) return all_here_.notify_all();
+    const bool met =
+        all_here_.wait_for(lock, std::chrono::seconds(failed_ ? 0 : 10), [&] { return arrived_ >= round * expected; });
+    failed_ = failed_ || !met;
   }
-  std::size_t count() const { return seen_.size(); }
+  bool failed() const { return failed_; }
 
  private:
   std::mutex mutex_;
-  std::set<std::thread::id> seen_;
+  std::condition_variable all_here_;
+  long arrived_ = 0;
+  bool failed_ = false;
 };
 
 /// Keeps what the first red robot hears.
 class Listener final : public client::ControlSoftware {
  public:
-  Listener(std::vector<Heard>& heard, ThreadsSeen& threads) : heard_(heard), threads_(threads) {}
+  Listener(std::vector<Heard>& heard, MeetingPoint& meeting, const int& together)
+      : heard_(heard), meeting_(meeting), together_(together) {}
   void start(const client::RobotDescription& robot) override { listens_ = robot.team == "red" && robot.number == 1; }
   void step(const client::SensorFrame& sensors, client::CommandFrame&) override {
-    threads_.note();
+    if (together_ > 1) meeting_.meet(together_);
     if (!listens_) return;
     Heard heard;
     heard.time = sensors.time, heard.pictures = sensors.pictures.size(), heard.own = sensors.own_pose;
@@ -82,7 +91,8 @@ class Listener final : public client::ControlSoftware {
 
  private:
   std::vector<Heard>& heard_;
-  ThreadsSeen& threads_;
+  MeetingPoint& meeting_;
+  const int& together_;
   bool listens_ = false;
   client::ControlReport report_;
 };
@@ -111,8 +121,8 @@ struct OracleGame {
     Landmark line;
     line.kind = SightKind::kLine, line.a = {0, -3, 0}, line.b = {0, 3, 0};
     builder.addLandmarks({line});
-    simulation =
-        builder.link(allModules(), {{"listener", [this] { return std::make_unique<Listener>(heard, threads); }}});
+    simulation = builder.link(allModules(),
+                              {{"listener", [this] { return std::make_unique<Listener>(heard, meeting, together); }}});
     EXPECT_EQ(diagnostics.text(), "");
   }
   void run(int frames) {
@@ -134,7 +144,8 @@ struct OracleGame {
   }
 
   Scene scene;
-  ThreadsSeen threads;
+  MeetingPoint meeting;
+  int together = 1;  ///< so many programs wait for one another in each step
   std::vector<Heard> heard;
   std::unique_ptr<Simulation> simulation;
 };
@@ -260,9 +271,9 @@ TEST(Oracle, TellsTheSameBitsForAnyNumberOfThreads) {
   // As many workers as threads are asked for, also on a machine with fewer processors.
   const oneapi::tbb::global_control workers(oneapi::tbb::global_control::max_allowed_parallelism, 4);
   OracleGame one(kWrong, {"simulation.threads=1"}), four(kWrong, {"simulation.threads=4"});
+  four.together = 3;  // all robots
   one.run(1000), four.run(1000);
-  EXPECT_EQ(one.threads.count(), 1U);
-  EXPECT_GT(four.threads.count(), 2U) << "three robots, one of four threads each";
+  EXPECT_FALSE(four.meeting.failed()) << "the robots' programs do not run at the same time";
   expectSame(one.heard, four.heard);
 }
 

@@ -16,6 +16,8 @@ using client::Percept;
 constexpr Rgb kBallColour{255, 60, 220}, kPostColour{255, 255, 0}, kPoleColour{0, 255, 255};
 constexpr Rgb kLineColour{255, 40, 40}, kRobotColour{255, 160, 255};
 
+constexpr int kReadableWidth = 320;  // [px] at which large pictures are looked at among others
+
 Rgb colourOf(Percept::Kind kind) {
   switch (kind) {
     case Percept::Kind::kBall:
@@ -74,11 +76,12 @@ void drawMark(const Percept& p, Canvas& canvas) {
 void drawLabel(const Percept& p, Canvas& canvas) {
   if (p.kind == Percept::Kind::kLinePoint) return;
   const std::string words = fmt::format("{} {:.2f}", nameOf(p.kind), p.distance);
+  const int scale = std::max(1, canvas.width() / kReadableWidth);
   // Robots' labels on top: the ball often lies at their feet.
   const double below = p.kind == Percept::Kind::kBall    ? p.radius + 4
-                       : p.kind == Percept::Kind::kRobot ? -uprightHeight(p) - Canvas::textHeight() - 3
+                       : p.kind == Percept::Kind::kRobot ? -uprightHeight(p) - Canvas::textHeight(scale) - 3
                                                          : 6;
-  canvas.label({p.u - 0.5 * Canvas::textWidth(words), p.v + below}, words, colourOf(p.kind));
+  canvas.label({p.u - 0.5 * Canvas::textWidth(words, scale), p.v + below}, words, colourOf(p.kind), scale);
 }
 
 std::vector<std::size_t> cameraCounts(const ControlLoop& control) {

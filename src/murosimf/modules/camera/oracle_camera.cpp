@@ -67,8 +67,9 @@ OracleCamera::OracleCamera(const World& world, const SceneView& view, ObjectId r
   const std::size_t room = 2 * landmarks_.size() + 64;  // lines may be seen in parts
   for (std::size_t k = 0; k < kSightKinds; ++k) {
     const double delay = settings.errors[k].delay;
-    queues_[k] = true_queues_[k] = SightQueue(std::lround(delay / frame_length),
-                                              static_cast<std::size_t>(std::ceil(delay / settings.period)) + 2, room);
+    const auto most = static_cast<std::size_t>(std::ceil(delay / settings.period)) + 2;
+    for (SightQueue* queue : {&queues_[k], &true_queues_[k]})
+      *queue = SightQueue(std::lround(delay / frame_length), most, room);
     for (std::vector<Sighting>* list : {&told_[k], &true_[k], &arrived_[k].sightings, &arrived_[k].truth})
       list->reserve(room);
   }
