@@ -78,6 +78,10 @@ std::string componentName(int components, int component) {
   return std::to_string(component);
 }
 
+std::string componentUnit(const std::string& unit, int components, int component) {
+  return components == 12 && component < 9 ? "1" : unit;
+}
+
 std::vector<ObjectVariable> variablesOf(const World& world, const LinkedWorld& linked, ObjectId object) {
   std::vector<ObjectVariable> found;
   for (const Place& place : linked.places()) {

@@ -24,6 +24,9 @@ std::string wordsOf(const ConstantEntry& entry);
 /// Names of the components of a variable of so many numbers: "", "x", "R yx", "p z", or their numbers.
 std::string componentName(int components, int component);
 
+/// Unit of one of its components: a rotation's numbers have none, though a pose is in metres.
+std::string componentUnit(const std::string& unit, int components, int component);
+
 /// A variable of an object: whose column it is, and which of its members.
 struct ObjectVariable {
   ObjectId assembly;

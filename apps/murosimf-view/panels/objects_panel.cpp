@@ -73,19 +73,19 @@ class ObjectsPanel final : public Panel {
     const std::string part = componentName(v.layout->components, component);
     const std::string label = part.empty() ? v.layout->property : v.layout->property + " " + part;
     if (label.find(filter_) == std::string::npos) return;
+    const std::string unit = componentUnit(v.layout->unit, v.layout->components, component);
     const NumberPlace place{v.assembly, v.layout->property, v.layout->subset, v.object, component};
     ImGui::TableNextColumn();
     ImGui::PushID(component);
     if (ui::selectable(named(label), label.c_str(), session.plots().has(place))) {
-      session.plots().add(session.simulation(), place, session.world().path(session.selected) + " " + label,
-                          v.layout->unit);
+      session.plots().add(session.simulation(), place, session.world().path(session.selected) + " " + label, unit);
     }
     ImGui::PopID();
     showMeaning(v.layout->property);
     ImGui::TableNextColumn();
     ImGui::Text("%.6g", linked.numberAt(*v.place, *v.layout, v.object, component));
     ImGui::TableNextColumn();
-    ImGui::TextDisabled("%s", v.layout->unit.c_str());
+    ImGui::TextDisabled("%s", unit.c_str());
   }
 
   void drawConstants(Session& session) {
