@@ -28,7 +28,9 @@ TEST_P(EveryPairAtLength, IsFoundWithTheLeastDepthOverAllDirections) {
   expectPairToHold(GetParam().first, GetParam().second, kPoses);
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, EveryPairAtLength, testing::ValuesIn(allPairs()));
+INSTANTIATE_TEST_SUITE_P(Kinds, EveryPairAtLength, testing::ValuesIn(allPairs()), [](const auto& pair) {
+  return nameOf(pair.param.first) + "_and_" + nameOf(pair.param.second);
+});
 
 }  // namespace
 }  // namespace murosimf::collision_test
