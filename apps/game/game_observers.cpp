@@ -12,7 +12,7 @@ GameObservers::GameObservers(const Scene& scene, Simulation& simulation)
   ControlLoop& control = *simulation.control();
   if (*scene.referee.enabled) {
     const MatchSettings match = matchSettings(scene, simulation.world());
-    referee_ = std::make_unique<Referee>(match, simulation);
+    referee_ = makeReferee(match, simulation);
     simulation.observe(referee_.get());
     percepts_ = std::make_unique<PerceptStatistics>(match, simulation);
     control.observe(percepts_.get());
@@ -35,15 +35,12 @@ std::string GameObservers::tagOf(int robot) const {
   return fmt::format("{} {} steps, error {:.0e}", activity, substeps, integration_.error(robot));
 }
 
-std::string GameObservers::scoreText() const {
-  return referee_ == nullptr
-             ? ""
-             : fmt::format("red {} : {} blue", referee_->score(Team::kRed), referee_->score(Team::kBlue));
-}
+std::string GameObservers::scoreText() const { return referee_ == nullptr ? "" : referee_->scoreText(); }
 
 std::string GameObservers::caption(double time) const {
-  return referee_ == nullptr ? fmt::format("T {:.2f}", time)
-                             : gameCaption(time, referee_->score(Team::kRed), referee_->score(Team::kBlue));
+  if (referee_ == nullptr) return fmt::format("T {:.2f}", time);
+  if (referee_->match().rules != Rules::kMatch) return fmt::format("T {:.2f}  {}", time, referee_->scoreText());
+  return gameCaption(time, referee_->score(Team::kRed), referee_->score(Team::kBlue));
 }
 
 }  // namespace murosimf

@@ -15,6 +15,7 @@
 #include "murosimf/soccer/match_statistics.h"
 #include "murosimf/soccer/percept_statistics.h"
 #include "murosimf/soccer/referee.h"
+#include "murosimf/soccer/trial_referee.h"
 
 namespace murosimf {
 
@@ -25,6 +26,10 @@ class GameObservers {
 
   /// Null where the scenario has no referee; the next two likewise.
   const Referee* referee() const { return referee_.get(); }
+  /// Null where the referee judges no trial.
+  const TrialReferee* trial() const { return dynamic_cast<const TrialReferee*>(referee_.get()); }
+  /// A trial's last attempt has been judged: there is nothing more to see.
+  bool finished() const { return trial() != nullptr && referee_->phase() == client::GamePhase::kFinished; }
   const MatchStatistics* match() const { return match_.get(); }
   const PerceptStatistics* percepts() const { return percepts_.get(); }
   const PerceptKeeper& keeper() const { return keeper_; }

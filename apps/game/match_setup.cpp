@@ -4,10 +4,35 @@
 
 namespace murosimf {
 
+namespace {
+
+Rules rulesNamed(const std::string& name) {
+  if (name == "penalty_kicks") return Rules::kPenaltyKicks;
+  if (name == "slalom") return Rules::kSlalom;
+  return name == "obstacle_run" ? Rules::kObstacleRun : Rules::kMatch;
+}
+
+void addTrial(const Scene& scene, const World& world, MatchSettings& match) {
+  match.rules = rulesNamed(*scene.referee.rules);
+  match.attempts = *scene.referee.attempts;
+  match.time_limit = *scene.referee.time_limit;
+  match.scatter = *scene.referee.scatter;
+  match.scatter_heading = *scene.referee.scatter_heading;
+  match.seed = *scene.simulation.seed;
+  const CourseSettings& course = scene.course;
+  match.course = {*course.pose, *course.length, *course.width, *course.first_side == "left"};
+  for (const ObstacleSettings& o : scene.obstacles)
+    match.obstacles.push_back({world.find(o.path()), *o.pose, *o.mass > 0});
+}
+
+}  // namespace
+
 MatchSettings matchSettings(const Scene& scene, const World& world) {
   MatchSettings match;
+  addTrial(scene, world, match);
   match.field = fieldDescription(scene);
   match.ball = world.find("ball");
+  match.ball_start = *scene.ball.position;
   match.red_attacks_positive_x = *scene.red.attacks_positive_x;
   for (const RobotSettings& robot : scene.robots) {
     MatchRobot& player = match.robots.emplace_back();

@@ -38,6 +38,8 @@ std::string_view nameOf(MatchEvent::Kind kind) {
       return "half-time";
     case MatchEvent::Kind::kFinish:
       return "end";
+    case MatchEvent::Kind::kAttempt:
+      return "attempt";
   }
   return "";
 }
@@ -103,6 +105,27 @@ void addMatch(nlohmann::ordered_json& report, const Referee& referee, const Matc
   for (const MatchEvent& event : referee.events()) {
     report["events"].push_back({{"time", event.time}, {"what", nameOf(event.kind)}, {"team", teamName(event.team)}});
   }
+}
+
+void addTrial(nlohmann::ordered_json& report, const TrialReferee& referee) {
+  nlohmann::ordered_json& trial = report["trial"];
+  const std::vector<Attempt>& attempts = referee.attempts();
+  double passed_time = 0;
+  int faults = 0;
+  trial["attempts"] = nlohmann::ordered_json::array();
+  for (const Attempt& attempt : attempts) {
+    trial["attempts"].push_back({{"outcome", nameOf(attempt.outcome)},
+                                 {"passed", attempt.passed},
+                                 {"time", attempt.time},
+                                 {"faults", attempt.faults}});
+    faults += attempt.faults;
+    if (attempt.passed) passed_time += attempt.time;
+  }
+  const int passed = referee.passed();
+  trial["passed"] = passed;
+  trial["passed_share"] = number(passed / static_cast<double>(attempts.size()));
+  trial["passed_time_mean"] = number(passed_time / passed);
+  trial["faults"] = faults;
 }
 
 void addPercepts(nlohmann::ordered_json& report, const PerceptStatistics& statistics, const Simulation& simulation) {

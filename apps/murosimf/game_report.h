@@ -12,11 +12,14 @@
 #include "murosimf/soccer/match_statistics.h"
 #include "murosimf/soccer/percept_statistics.h"
 #include "murosimf/soccer/referee.h"
+#include "murosimf/soccer/trial_referee.h"
 
 namespace murosimf {
 
 /// score {red, blue}, events, goals, shots, saves, own goals, time in play, distance walked per robot.
 void addMatch(nlohmann::ordered_json& report, const Referee& referee, const MatchStatistics& statistics);
+/// Of trials: how each attempt ended, and how many passed.
+void addTrial(nlohmann::ordered_json& report, const TrialReferee& referee);
 /// Per robot: recall, precision and distance error of the ball, error of the self-localisation.
 void addPercepts(nlohmann::ordered_json& report, const PerceptStatistics& statistics, const Simulation& simulation);
 /// Per robot with several levels of detail: seconds at each, exchanges, and what kinematic walking flattened at most.

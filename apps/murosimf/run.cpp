@@ -95,7 +95,7 @@ void Run::play() {
   const double start = wallClock();
   start_time_ = simulation_->time();
   if (pacer_ != nullptr) pacer_->start(start_time_);
-  while (simulation_->frame() < last_frame) {
+  while (simulation_->frame() < last_frame && !watch_->finished()) {
     step();
     if (pacer_ != nullptr) pacer_->wait(simulation_->time());
     if (simulation_->frame() % 10 != 0) continue;
@@ -113,6 +113,7 @@ nlohmann::ordered_json Run::report() {
   nlohmann::ordered_json report = basicReport(scene_, *simulation_, watch_->hashes(), simulated, wall_seconds_);
   if (pacer_ != nullptr) report["pace"] = paceFigures(pacer_->report());
   if (watch_->referee() != nullptr) addMatch(report, *watch_->referee(), *watch_->match());
+  if (watch_->trial() != nullptr) addTrial(report, *watch_->trial());
   if (watch_->percepts() != nullptr) addPercepts(report, *watch_->percepts(), *simulation_);
   addExchanges(report, scene_, watch_->exchanges(), *simulation_);
   addIntegration(report, watch_->integration(), *simulation_);

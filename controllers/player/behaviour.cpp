@@ -15,15 +15,24 @@ constexpr double kStayBonus = 1.0;  // who is on the way to the ball keeps going
 constexpr double kHeadStart = 0.25, kLongestBlock = 6.0;  // [m], [s]
 constexpr double kBlockedKick = 0.25;  // a kicked ball that has not moved this far met somebody's feet [m]
 constexpr double kNoCost = 1e9;
+constexpr Point kWatchedWay{1.1, 0};    // where a runner looks, in R [m]
 constexpr double kLostDeviation = 0.5;  // of the own position: time to look for landmarks [m]
 
 double clampAge(double age) { return std::min(age, 5.0); }
 
 }  // namespace
 
-void Behaviour::start(const client::RobotDescription& robot) { pitch_ = Pitch::of(robot.field); }
+void Behaviour::start(const client::RobotDescription& robot) {
+  pitch_ = Pitch::of(robot.field);
+  course_.start(robot);
+}
 
 void Behaviour::restart() {
+  course_.restart();
+  dropPlay();
+}
+
+void Behaviour::dropPlay() {
   approach_.restart();
   attacks_ = at_place_ = last_near_ = false;
   searched_ = 0;
@@ -70,20 +79,25 @@ Play Behaviour::step(const Situation& now, bool head_glances) {
   searched_ = ball.known ? 0.0 : searched_ + now.dt;
   cost_ = kNoCost;
   const Decision decision = decide(now, ball);
-  return {decision.motion, headRequest(now, decision.head, head_glances), cost_, decision.activity};
+  Situation watched = now;
+  if (runs(now)) watched.ball_known = true, watched.ball_R = kWatchedWay;
+  return {decision.motion, headRequest(watched, decision.head, head_glances), cost_, decision.activity};
 }
 
 Decision Behaviour::decide(const Situation& now, const BallPlace& ball) {
-  const HeadRequest::Kind look = now.ball_known ? HeadRequest::Kind::kBallAndField : HeadRequest::Kind::kSearch;
+  const HeadRequest::Kind look =
+      now.ball_known || runs(now) ? HeadRequest::Kind::kBallAndField : HeadRequest::Kind::kSearch;
   if (now.fallen) {
-    restart();
+    course_.fall();
+    dropPlay();
     kicked_ = false;  // a kick that ended in a fall tells nothing
     return {{}, HeadRequest::Kind::kAhead, "get up"};
   }
   if (now.game.phase != client::GamePhase::kPlaying || now.game.penalised) {
-    restart();
+    dropPlay();
     return {{}, look, "stand"};
   }
+  if (runs(now)) return course_.step(now);
   if (waits_) return {{}, look, "wait for kick-off"};
   judgeKick(now);
   if (now.kicking) {
@@ -103,7 +117,7 @@ Decision Behaviour::search(const Situation& now) {
   if (looks_first || turns) {
     Decision decision{{}, HeadRequest::Kind::kSearch, "search"};
     if (looks_first && now.role == Role::kKeeper && searched_ > kSweepTime) {
-      decision = keepPlace(now, homePlace(pitch_, now.role), {0, 0}, "search");
+      decision = keepPlace(now, homePlace(pitch_, now.role, now.wing), {0, 0}, "search");
     } else if (last_near_ && now.role != Role::kKeeper && searched_ < kStepBackTime) {
       decision.motion = {MotionRequest::Kind::kWalk, {-0.08, 0, 0}, kRight};  // it lies between the feet
     } else if (!looks_first) {
@@ -112,7 +126,7 @@ Decision Behaviour::search(const Situation& now) {
     decision.head = HeadRequest::Kind::kSearch;
     return decision;
   }
-  Decision decision = keepPlace(now, homePlace(pitch_, now.role), {0, 0}, "search");
+  Decision decision = keepPlace(now, homePlace(pitch_, now.role, now.wing), {0, 0}, "search");
   if (at_place_) searched_ = 0;  // turns once more from there
   decision.head = HeadRequest::Kind::kSearch;
   return decision;
@@ -128,7 +142,7 @@ Decision Behaviour::play(const Situation& now, const BallPlace& ball) {
   approach_.restart();
   if (now.role == Role::kKeeper) return keepPlace(now, keeperPlace(pitch_, ball.p_F), ball.p_F, "keep");
   const Point own{now.X_FR.x, now.X_FR.y};
-  return keepPlace(now, supportPlace(pitch_, now.role, ball.p_F, own), ball.p_F, "support");
+  return keepPlace(now, supportPlace(pitch_, now.role, ball.p_F, own, now.wing), ball.p_F, "support");
 }
 
 /// A ball that stays where it was has been kicked against somebody's feet. Whoever has less to lose steps back first,
@@ -207,7 +221,7 @@ HeadRequest Behaviour::headRequest(const Situation& now, HeadRequest::Kind kind,
 }
 
 void Behaviour::archive(client::StateArchive& archive) {
-  archive(approach_, phase_, waits_, waited_, waits_saw_ball_, waits_ball_R_, attacks_, at_place_, searched_,
+  archive(approach_, course_, phase_, waits_, waited_, waits_saw_ball_, waits_ball_R_, attacks_, at_place_, searched_,
           last_side_, left_for_, kicked_, kick_place_F_, blocked_kicks_, last_near_, landmark_, cost_);
 }
 

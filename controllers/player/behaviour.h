@@ -6,12 +6,14 @@
 ///   fallen                        leave the body to get up
 ///   not playing or penalised      stand
 ///   opponents' kick-off           wait until the ball moves, 10 s at most
+///   a runner on a course          go along it (CourseRun)
 ///   kick under way                watch the ball
 ///   nobody knows the ball         search: sweep the head, then turn, then walk home
 ///   first to reach the ball       approach, line up, kick (BallApproach)
 ///   otherwise                     keep the place of one's role (positions.h)
 
 #include "ball_approach.h"
+#include "course_run.h"
 #include "positions.h"
 #include "situation.h"
 #include "team_ball.h"
@@ -41,6 +43,8 @@ class Behaviour {
     Point p_F;
   };
 
+  bool runs(const Situation& now) const { return now.role == Role::kRunner && course_.there(); }
+  void dropPlay();
   void updateKickoff(const Situation& now);
   static BallPlace ballPlace(const Situation& now);
   double ownCost(const Situation& now, const BallPlace& ball) const;
@@ -57,6 +61,7 @@ class Behaviour {
 
   Pitch pitch_;
   BallApproach approach_;
+  CourseRun course_;
   client::GamePhase phase_ = client::GamePhase::kReady;  ///< of the step before
   bool waits_ = false;                                   ///< for the opponents' kick-off
   double waited_ = 0;                                    ///< [s]

@@ -26,7 +26,8 @@ void FieldMap::start(const client::RobotDescription& robot) {
   for (const double side : {-1.0, 1.0}) {
     addLine(true, side * half_width_, -half_length_, half_length_);
     addLine(false, side * half_length_, -half_width_, half_width_);
-    addGoalArea(side, field);
+    addArea(side, field.goal_area_length, field.goal_area_width);
+    addArea(side, field.penalty_area_length, field.penalty_area_width);
   }
   addLine(false, 0, -half_width_, half_width_);
 }
@@ -35,9 +36,9 @@ void FieldMap::addLine(bool along_x, double offset, double first, double last) {
   lines_[line_count_++] = {along_x, offset, std::min(first, last), std::max(first, last)};
 }
 
-void FieldMap::addGoalArea(double side, const client::FieldDescription& field) {
-  if (!(field.goal_area_length > 0 && field.goal_area_width > 0)) return;
-  const double y = 0.5 * field.goal_area_width, x = side * (half_length_ - field.goal_area_length);
+void FieldMap::addArea(double side, double length, double width) {
+  if (!(length > 0 && width > 0)) return;
+  const double y = 0.5 * width, x = side * (half_length_ - length);
   addLine(false, x, -y, y);
   addLine(true, -y, x, side * half_length_);
   addLine(true, y, x, side * half_length_);

@@ -46,14 +46,15 @@ class FieldMap {
     double offset = 0, first = 0, last = 0;
   };
   void addLine(bool along_x, double offset, double first, double last);
-  void addGoalArea(double side, const client::FieldDescription& field);
+  /// Before the goal at -x or +x, as `side` says.
+  void addArea(double side, double length, double width);
   void matchCircle(const Point& p_F, const Point& normal, LineMatch& best) const;
 
   double half_length_ = 0, half_width_ = 0, border_ = 0, circle_radius_ = 0;
   std::array<std::array<Point, 2>, 2> posts_{};  ///< by colour: yellow, blue
   std::array<Point, 2> poles_{};                 ///< by colour
   bool has_poles_ = false;
-  std::array<Line, 11> lines_{};
+  std::array<Line, 17> lines_{};
   std::size_t line_count_ = 0;
 };
 

@@ -35,13 +35,21 @@ struct RobotPercept {
   double x = 0, y = 0;  ///< foot point of another robot, in R [m]
 };
 
+/// A red obstacle on the ground.
+struct ObstaclePercept {
+  double x = 0, y = 0;  ///< its middle, in R [m]
+};
+
 struct Percepts {
   std::vector<BallPercept> balls;  ///< best first; usually none or one
   std::vector<LandmarkPercept> posts, poles;
   std::vector<LinePercept> lines;
   std::vector<RobotPercept> robots;
+  std::vector<ObstaclePercept> obstacles;
   std::vector<client::Percept> drawn;  ///< the same in picture coordinates, for the report
-  void clear() { balls.clear(), posts.clear(), poles.clear(), lines.clear(), robots.clear(), drawn.clear(); }
+  void clear() {
+    balls.clear(), posts.clear(), poles.clear(), lines.clear(), robots.clear(), obstacles.clear(), drawn.clear();
+  }
 };
 
 }  // namespace murosimf::controllers

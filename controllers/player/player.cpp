@@ -16,7 +16,13 @@ constexpr double kServoStiffness = 30, kKneeStiffness = 45;  // [N m/rad]
 Role roleOf(const client::RobotDescription& robot) {
   if (robot.role.find("keeper") != std::string::npos) return Role::kKeeper;
   if (robot.role.find("defender") != std::string::npos) return Role::kDefender;
+  if (robot.role.find("runner") != std::string::npos) return Role::kRunner;
   return Role::kStriker;
+}
+
+int wingOf(const client::RobotDescription& robot) {
+  if (robot.role.find("left") != std::string::npos) return 1;
+  return robot.role.find("right") != std::string::npos ? -1 : 0;
 }
 
 Point pointOf(const Vector3& p) { return {p.x, p.y}; }
@@ -37,8 +43,9 @@ void requireKs21(const client::RobotDescription& robot) {
 void Player::start(const client::RobotDescription& robot) {
   requireKs21(robot);
   robot_ = robot;
-  role_ = roleOf(robot);
-  obstacles_R_.reserve(32);
+  role_ = roleOf(robot), wing_ = wingOf(robot);
+  obstacles_R_.reserve(64);
+  course_.start(robot.course);
   eyes_->start(robot);
   localisation_.start(robot);
   ball_.start(robot);
@@ -68,6 +75,7 @@ void Player::feelMotion(const client::SensorFrame& sensors) {
   localisation_.move(increment);
   ball_.move(increment, robot_.control_period);
   obstacles_.move(increment, robot_.control_period);
+  course_.move(increment);
   for (const client::JointReading& joint : sensors.joints) servos_feel_ = servos_feel_ || joint.torque != 0;
 }
 
@@ -77,6 +85,7 @@ void Player::heedReferee(const client::GameInfo& game, double time) {
   if (game.placed) {
     localisation_.place(game.placed_at);
     obstacles_.clear();
+    course_.clear();
     past_.forget();
     past_.remember(time, {}, posture_);
     body_.putUpright();
@@ -104,12 +113,14 @@ void Player::look(const client::SensorFrame& sensors) {
   localisation_.observe(percepts_);
   ball_.observe(percepts_);
   obstacles_.observe(percepts_.robots);
+  course_.observe(percepts_.obstacles);
 }
 
 void Player::getBackOnFeet() {
   localisation_.widen(kFallDistance, kFallTurn);
   ball_.forget();
   obstacles_.clear();
+  course_.clear();
 }
 
 /// @returns how many of obstacles_R_ are robots; these come first.
@@ -121,6 +132,7 @@ std::size_t Player::collectObstacles(const PlanarPose& X_FR) {
   const double x = 0.5 * robot_.field.length, y = 0.5 * robot_.field.goal_width + robot_.field.post_radius;
   for (const Point& post : {Point{x, y}, Point{x, -y}, Point{-x, y}, Point{-x, -y}})
     obstacles_R_.push_back(transformedBack(X_FR, post));
+  for (const Point& obstacle : course_.places_R()) obstacles_R_.push_back(obstacle);
   return robot_count;
 }
 
@@ -128,7 +140,7 @@ Situation Player::gather(const client::SensorFrame& sensors) {
   Situation now;
   now.time = sensors.time, now.dt = robot_.control_period;
   now.game = sensors.game;
-  now.role = role_, now.number = robot_.number;
+  now.role = role_, now.wing = wing_, now.number = robot_.number;
   now.X_FR = localisation_.pose();
   now.position_deviation = localisation_.positionDeviation();
   now.ball_known = ball_.known(), now.ball_age = ball_.age();
@@ -139,6 +151,7 @@ Situation Player::gather(const client::SensorFrame& sensors) {
   const std::size_t robot_count = collectObstacles(now.X_FR);
   now.obstacles_R = obstacles_R_;
   now.robots_R = now.obstacles_R.first(robot_count);
+  now.course_R = course_.places_R();
   now.fallen = body_.fallen();
   now.settled = body_.settled(), now.kicking = body_.kicking(), now.kick_time = body_.kickTime();
   now.velocity = body_.velocity();
@@ -184,7 +197,7 @@ void Player::fillReport(const Play& play) {
 void Player::archive(client::StateArchive& archive) {
   archive(posture_.X_RP, posture_.X_RF, posture_.X_RC, posture_.stance, posture_known_, servos_feel_, restart_count_);
   eyes_->archive(archive);
-  archive(past_, localisation_, ball_, team_ball_, obstacles_, behaviour_, body_, head_);
+  archive(past_, localisation_, ball_, team_ball_, obstacles_, course_, behaviour_, body_, head_);
 }
 
 std::unique_ptr<client::ControlSoftware> makePlayer() { return std::make_unique<Player>(makeEyes()); }

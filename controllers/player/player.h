@@ -12,6 +12,7 @@
 #include "behaviour.h"
 #include "body_motion.h"
 #include "camera_past.h"
+#include "course_memory.h"
 #include "head_motion.h"
 #include "murosimf/control/client/control_software.h"
 #include "obstacle_memory.h"
@@ -44,6 +45,7 @@ class Player final : public client::ControlSoftware {
 
   client::RobotDescription robot_;
   Role role_ = Role::kStriker;
+  int wing_ = 0;
   std::unique_ptr<PerceptSource> eyes_;
 
   Posture posture_;
@@ -56,7 +58,8 @@ class Player final : public client::ControlSoftware {
   BallModel ball_;
   TeamBall team_ball_;
   ObstacleMemory obstacles_;
-  std::vector<Point> obstacles_R_;  ///< of this step: robots seen, team mates, goal posts
+  CourseMemory course_;
+  std::vector<Point> obstacles_R_;  ///< of this step: robots seen, team mates, goal posts, a course's obstacles
 
   Behaviour behaviour_;
   BodyMotion body_;

@@ -11,6 +11,7 @@ constexpr double kArc = 0.40;                        // the keeper's distance fr
 constexpr double kLineDistance = 0.15;               // at least this far before the goal line [m]
 constexpr double kZoneDepth = 0.9, kZoneSide = 0.3;  // keeper's zone: depth, beyond the posts [m]
 constexpr double kDistance = 0.7;                    // of supporters from the ball [m]
+constexpr double kWing = 0.45;                       // of a wing's home from the middle, over half the field's width
 
 /// p, moved away from the ball to the distance that leaves it to the team mate there.
 Point apartFromBall(const Point& p, const Point& ball_F) {
@@ -28,14 +29,16 @@ Point inside(const Pitch& pitch, const Point& p) {
 
 }  // namespace
 
-Point homePlace(const Pitch& pitch, Role role) {
+Point homePlace(const Pitch& pitch, Role role, int wing) {
+  const double side = kWing * pitch.half_width * wing;
   switch (role) {
     case Role::kKeeper:
       return {-pitch.half_length + 0.25, 0};
     case Role::kDefender:
-      return {-0.45 * pitch.half_length, 0.15 * pitch.half_width};
+      return {-0.45 * pitch.half_length, wing == 0 ? 0.15 * pitch.half_width : side};
     case Role::kStriker:
-      return {0.1 * pitch.half_length, -0.15 * pitch.half_width};
+    case Role::kRunner:
+      return {0.1 * pitch.half_length, wing == 0 ? -0.15 * pitch.half_width : side};
   }
   return {};
 }
@@ -61,18 +64,21 @@ bool inKeeperZone(const Pitch& pitch, const Point& ball_F, double margin) {
          std::fabs(ball_F.y) < pitch.half_goal + kZoneSide + margin;
 }
 
-Point supportPlace(const Pitch& pitch, Role role, const Point& ball_F, const Point& own_F) {
+Point supportPlace(const Pitch& pitch, Role role, const Point& ball_F, const Point& own_F, int wing) {
+  const double wing_y = kWing * pitch.half_width * wing;
   if (role == Role::kDefender) {
     const Point to_goal = pitch.ownGoal() - ball_F;
     const double distance = std::max(0.1, norm(to_goal));
     const double back = clamp(0.45 * distance, kDistance, 1.6);
     const Point p = ball_F + (back / distance) * to_goal;
-    const Point before_goal{std::max(p.x, -pitch.half_length + 0.75), p.y};  // leaves the goal to the keeper
+    const Point before_goal{std::max(p.x, -pitch.half_length + 0.75),
+                            p.y + 0.5 * wing_y};  // leaves the goal to the keeper
     return apartFromBall(inside(pitch, apartFromBall(before_goal, ball_F)), ball_F);
   }
   // Where a kick ends, on the side on which the robot is already, unless the ball is clearly on that side.
   const double side = std::fabs(ball_F.y) > 0.3 ? (ball_F.y > 0 ? -1.0 : 1.0) : (own_F.y > 0 ? 1.0 : -1.0);
-  return apartFromBall(inside(pitch, {ball_F.x + 1.3, 0.5 * ball_F.y + side * 0.5}), ball_F);
+  const double beside = wing == 0 ? side * 0.5 : wing_y;
+  return apartFromBall(inside(pitch, {ball_F.x + 1.3, 0.5 * ball_F.y + beside}), ball_F);
 }
 
 }  // namespace murosimf::controllers

@@ -6,8 +6,8 @@
 
 namespace murosimf::controllers {
 
-/// Where a player waits as long as nobody knows where the ball is.
-Point homePlace(const Pitch& pitch, Role role);
+/// Where a player waits as long as nobody knows where the ball is. @param wing  1 left, -1 right, 0 the middle
+Point homePlace(const Pitch& pitch, Role role, int wing = 0);
 
 /// Between ball and goal, on an arc before the goal: from there the goal looks narrowest to the ball.
 Point keeperPlace(const Pitch& pitch, const Point& ball_F);
@@ -19,7 +19,8 @@ Point blockPlace(const Pitch& pitch, const Point& ball_F);
 bool inKeeperZone(const Pitch& pitch, const Point& ball_F, double margin);
 
 /// Where a field player stands while a team mate plays the ball: the defender behind the ball on the way to the own
-/// goal, the striker where a kick towards the goal attacked ends. Never within .7 m of the ball.
-Point supportPlace(const Pitch& pitch, Role role, const Point& ball_F, const Point& own_F);
+/// goal, the striker where a kick towards the goal attacked ends; players of a wing beside that. Never within .7 m of
+/// the ball.
+Point supportPlace(const Pitch& pitch, Role role, const Point& ball_F, const Point& own_F, int wing = 0);
 
 }  // namespace murosimf::controllers

@@ -32,7 +32,9 @@ void addLandmark(const client::SeenThing& thing, const Point& p, std::vector<Lan
 
 }  // namespace
 
-void SightReader::start(const client::RobotDescription& robot) { cameras_ = robot.cameras, field_ = robot.field; }
+void SightReader::start(const client::RobotDescription& robot) {
+  cameras_ = robot.cameras, field_ = robot.field, obstacle_radius_ = robot.course.obstacle_radius;
+}
 
 /// A ray that the lens folds back into the picture is not drawn: its pixel shows another one.
 void SightReader::draw(const Look& look, Percept::Kind kind, const Vector3& p_C, double half_width,
@@ -76,6 +78,9 @@ void SightReader::addThing(const Look& look, const client::SeenThing& thing, Per
       return draw(look, Percept::Kind::kPole, thing.p_C, field_.pole_radius, out);
     case ThingKind::kLine:
       return addLine(look, thing, out);
+    case ThingKind::kObstacle:
+      out.obstacles.push_back({p.x, p.y});
+      return draw(look, Percept::Kind::kObstacle, thing.p_C, obstacle_radius_, out);
   }
 }
 

@@ -31,6 +31,7 @@ class SightReader {
 
   std::vector<client::CameraDescription> cameras_;
   client::FieldDescription field_;
+  double obstacle_radius_ = 0;  // [m]
 };
 
 }  // namespace murosimf::controllers

@@ -14,12 +14,13 @@
 
 namespace murosimf::controllers {
 
-enum class Role : std::uint8_t { kKeeper, kDefender, kStriker };
+enum class Role : std::uint8_t { kKeeper, kDefender, kStriker, kRunner };
 
 struct Situation {
   double time = 0, dt = 0.01;  ///< [s]
   client::GameInfo game;
   Role role = Role::kStriker;
+  int wing = 0;  ///< 1 left, -1 right, 0 the middle
   int number = 1;
 
   PlanarPose X_FR;                ///< where the robot believes to stand
@@ -36,7 +37,9 @@ struct Situation {
 
   std::span<const client::TeamMessage> mates;  ///< heard of in the last second
   std::span<const Point> robots_R;             ///< other robots, seen or heard of
-  std::span<const Point> obstacles_R;          ///< the same and the goal posts
+  std::span<const Point> obstacles_R;          ///< the same, goal posts, and obstacles of a course
+
+  std::span<const Point> course_R;  ///< obstacles of a course
 
   bool fallen = false;   ///< the body lies or gets up
   bool settled = false;  ///< the body stands still

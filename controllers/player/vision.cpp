@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "player/vision/ball_finder.h"
+#include "player/vision/obstacle_finder.h"
 #include "player/vision/robot_finder.h"
 
 namespace murosimf::controllers {
@@ -37,6 +38,7 @@ void reserve(Percepts& out) {
   out.poles.reserve(64);
   out.lines.reserve(128);
   out.robots.reserve(64);
+  out.obstacles.reserve(64);
   out.drawn.reserve(384);
 }
 
@@ -52,6 +54,7 @@ void sortByDeviation(std::vector<BallPercept>& balls) {
 
 void Vision::start(const client::RobotDescription& robot) {
   field_ = robot.field;
+  obstacle_radius_ = robot.course.obstacle_radius;
   landmarks_.start();
   cameras_.clear();
   cameras_.resize(robot.cameras.size());
@@ -91,6 +94,7 @@ void Vision::look(const client::CameraPicture& picture, const Pose& X_RC, Percep
   landmarks_.find(view, camera.grid, field_, out);
   camera.lines.find(view, field_.line_width, out);
   findRobots(view, camera.grid, out);
+  if (obstacle_radius_ > 0) findObstacles(view, camera.grid, obstacle_radius_, out);
 }
 
 void Vision::archive(client::StateArchive& archive) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file From pictures to percepts: ball, goal posts, landmark poles, line points and other robots.
+/// @file From pictures to percepts: ball, goal posts, landmark poles, line points, other robots and obstacles.
 ///
 /// Each picture goes the same way:
 ///   1. learn from a sparse sample how green and how bright the carpet is (light varies between scenarios),
@@ -38,6 +38,7 @@ class Vision {
   void look(const client::CameraPicture& picture, const Pose& X_RC, Percepts& out);
 
   client::FieldDescription field_;
+  double obstacle_radius_ = 0;  ///< [m]; 0: there are none
   std::vector<Camera> cameras_;
   LandmarkFinder landmarks_;
 };

@@ -59,7 +59,7 @@ ScriptedMatch::ScriptedMatch(const std::vector<std::string>& overrides, Script s
   simulation = builder.link(allModules(),
                             {{"player", [this, script] { return std::make_unique<ScriptedProgram>(robots, script); }}});
   settings = settingsOf(scene, simulation->world());
-  referee = std::make_unique<Referee>(settings, *simulation);
+  referee = makeReferee(settings, *simulation);
   percepts = std::make_unique<PerceptStatistics>(settings, *simulation);
   simulation->observe(referee.get());
   simulation->control()->observe(percepts.get());

@@ -46,13 +46,13 @@ const std::map<std::string, std::vector<std::string>> kExpected = {
       "8:14: error: goal_width is 3.5 m, expected at most 3 m, as width is 3 m"}},
     {"syntax_error", {"2:12: error: this is not TOML: "}},
     {"unknown_key",
-     {"3:1: error: unknown key \"brightnes\" in field, expected one of its 21 keys (did you mean \"brightness\"?)",
+     {"3:1: error: unknown key \"brightnes\" in field, expected one of its 23 keys (did you mean \"brightness\"?)",
       "5:2: error: unknown key \"balls\", expected \"simulation\", \"field\", \"ball\", \"surfaces\", \"contacts\", "
-      "\"teams\", "
-      "\"robots\", \"referee\" or \"output\" (did you mean \"ball\"?)",
+      "\"teams\", \"robots\", \"obstacles\", \"course\", \"referee\" or \"output\" (did you mean \"ball\"?)",
       "11:1: error: unknown key \"moton\" in robots.red.1, expected one of its 28 keys (did you mean \"motion\"?)"}},
     {"unknown_preset",
-     {"2:10: error: preset is text \"2025_kit\", expected \"2007\" or \"2025_kid\" (did you mean \"2025_kid\"?)"}},
+     {"2:10: error: preset is text \"2025_kit\", expected \"2007\", \"2025_kid\", \"2025_adult\", \"2026_small\", "
+      "\"2026_middle\" or \"2026_large\" (did you mean \"2025_kid\"?)"}},
     {"unknown_team",
      {"1:8: error: there is no team \"blu\" in teams, expected \"red\" or \"blue\" (did you mean \"blue\"?)",
       "4:9: error: there is no team \"green\" in robots, expected \"red\", \"blue\" or \"all\"",

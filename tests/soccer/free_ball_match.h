@@ -61,7 +61,7 @@ struct FreeBallMatch {
     simulation = std::make_unique<Simulation>(world, std::move(linked), who);
     settings.ball = world->find("ball");
     place({0, 0, settings.field.ball_radius});
-    referee = std::make_unique<Referee>(settings, *simulation);
+    referee = makeReferee(settings, *simulation);
     simulation->observe(referee.get());
   }
 

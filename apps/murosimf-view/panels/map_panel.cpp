@@ -125,6 +125,7 @@ class MapPanel final : public Panel {
         return canvas_->AddCircleFilled(p, 2, kFound);
       case client::Percept::Kind::kPost:
       case client::Percept::Kind::kPole:
+      case client::Percept::Kind::kObstacle:
         return canvas_->AddRect({p.x - 4, p.y - 4}, {p.x + 4, p.y + 4}, kFound, 0, 0, 1.5F);
       case client::Percept::Kind::kRobot:
         return canvas_->AddCircle(p, 8, kFound, 16, 1.5F);

@@ -35,7 +35,7 @@ class ColourGrid {
 
   /// Reserves what pictures of this size need.
   void start(int width, int height);
-  /// Classifies the grid, then finds runs and regions of orange, yellow, blue, magenta and cyan.
+  /// Classifies the grid, then finds runs and regions of orange, yellow, blue, magenta, cyan and red.
   void fill(const PictureView& view);
 
   int step() const { return step_; }  ///< pixels a cell

@@ -3,10 +3,10 @@
 namespace murosimf::controllers {
 namespace {
 
-/// Between red and yellow: hue (g - b) / (r - b). Red itself is nobody's colour here.
+/// Between red and yellow: hue (g - b) / (r - b).
 Colour betweenRedAndYellow(int r, int g, int b) {
   const int hue = 100 * (g - b) / (r - b);
-  return hue < 12 ? Colour::kOther : hue < 66 ? Colour::kOrange : Colour::kYellow;
+  return hue < 12 ? Colour::kRed : hue < 66 ? Colour::kOrange : Colour::kYellow;
 }
 
 }  // namespace
@@ -14,7 +14,7 @@ Colour betweenRedAndYellow(int r, int g, int b) {
 Colour saturatedColour(int r, int g, int b) {
   if (r >= g && r >= b) {
     if (g >= b) return betweenRedAndYellow(r, g, b);
-    return 4 * (b - g) > r - g ? Colour::kMagenta : Colour::kOther;
+    return 4 * (b - g) > r - g ? Colour::kMagenta : Colour::kRed;
   }
   if (g >= b) {  // green is highest: only where noise or saturation made it so
     if (r > b) return 5 * (r - b) > 3 * (g - b) ? Colour::kYellow : Colour::kOther;

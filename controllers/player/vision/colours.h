@@ -11,7 +11,7 @@
 
 namespace murosimf::controllers {
 
-enum class Colour : std::uint8_t { kOther, kGreen, kWhite, kOrange, kYellow, kBlue, kMagenta, kCyan };
+enum class Colour : std::uint8_t { kOther, kGreen, kWhite, kOrange, kYellow, kBlue, kMagenta, kCyan, kRed };
 
 /// What a picture's carpet looks like; limits of the classes in it.
 struct FieldColours {
@@ -39,7 +39,7 @@ inline bool isGreen(const std::uint8_t* rgb, const FieldColours& field) {
 }
 
 /// Colours by hue, for a pixel that is saturated. The hue is the middle channel's place between the lowest and the
-/// highest: orange .4, yellow .85, blue .2, cyan .9, magenta .5.
+/// highest: red .05, orange .4, yellow .85, blue .2, cyan .9, magenta .5.
 Colour saturatedColour(int r, int g, int b);
 
 /// The class of a pixel.

@@ -36,6 +36,7 @@ constexpr std::string_view kRobot = "robots.TEAM.NUMBER";
 constexpr std::string_view kTeam = "teams.TEAM";
 constexpr std::string_view kPair = "surfaces.A-B";
 constexpr std::string_view kContact = "contacts.NAME";
+constexpr std::string_view kObstacle = "obstacles.NAME";
 
 constexpr ScenarioKey kKeys[] = {
     plainKey("", "simulation", kTable, "", "time steps, seed, clock, threads"),
@@ -45,7 +46,10 @@ constexpr ScenarioKey kKeys[] = {
     plainKey("", "contacts", kTable, "", "what may touch what, where surfaces do not say it: tables `[contacts.NAME]`"),
     plainKey("", "teams", kTable, "", "`[teams.red]`, `[teams.blue]`"),
     plainKey("", "robots", kTable, "", "`[robots.all]`, and `[robots.red.1]` for red's robot with the number 1"),
-    plainKey("", "referee", kTable, "", "kick-off, goals, ball out, clock"),
+    plainKey("", "obstacles", kTable, "",
+             "what stands in the way: a table `[obstacles.NAME]` each, and `[obstacles.all]` for what they share"),
+    plainKey("", "course", kTable, "", "the way of a slalom or of an obstacle run"),
+    plainKey("", "referee", kTable, "", "what is judged: kick-off, goals, ball out, clock; or attempts of a trial"),
     plainKey("", "output", kTable, "", "what a run leaves behind"),
 
     above("simulation", "frame", "s", 0, .02, "0.001", "length of a frame"),
@@ -58,7 +62,8 @@ constexpr ScenarioKey kKeys[] = {
     whole("simulation", "threads", 0, 1024, "0", "0: all"),
     whole("simulation", "lanes", 0, 8, "0", "robots computed at once: 1, 4 or 8; 0: as it suits the machine"),
 
-    wordKey("field", "preset", "2007 2025_kid", "\"2007\"", "the measures that are not given below"),
+    wordKey("field", "preset", "2007 2025_kid 2025_adult 2026_small 2026_middle 2026_large", "\"2007\"",
+            "the measures that are not given below"),
     above("field", "length", "m", 0, 200, "", "from goal line to goal line; default: the preset's"),
     above("field", "width", "m", 0, 200, "", "from side line to side line; default: the preset's"),
     above("field", "goal_width", "m", 0, 20, "", "between the posts; default: the preset's"),
@@ -70,6 +75,8 @@ constexpr ScenarioKey kKeys[] = {
     from("field", "centre_circle_radius", "m", 0, 50, "", "default: the preset's"),
     from("field", "goal_area_length", "m", 0, 50, "", "along x, 0: no goal area; default: the preset's"),
     from("field", "goal_area_width", "m", 0, 100, "", "default: the preset's"),
+    from("field", "penalty_area_length", "m", 0, 50, "", "along x, 0: no penalty area; default: the preset's"),
+    from("field", "penalty_area_width", "m", 0, 100, "", "default: the preset's"),
     from("field", "penalty_mark_distance", "m", 0, 50, "", "from the goal line; default: the preset's"),
     from("field", "pole_radius", "m", 0, 1, "", "landmark poles at the halfway line, 0: none; default: the preset's"),
     from("field", "pole_height", "m", 0, 5, "", "default: the preset's"),
@@ -158,11 +165,40 @@ constexpr ScenarioKey kKeys[] = {
     plainKey("POSE", "y", kNumber, "", "m"),
     plainKey("POSE", "heading", kNumber, "0.0", "rad, or {deg = ...}; from +x to +y"),
 
+    wordKey(kObstacle, "shape", "cylinder box", "\"cylinder\"", "upright"),
+    above(kObstacle, "radius", "m", 0, 10, "0.1", "of a cylinder"),
+    above(kObstacle, "length", "m", 0, 10, "0.4", "of a box, along its own x"),
+    above(kObstacle, "width", "m", 0, 10, "0.4", "of a box, along its own y"),
+    above(kObstacle, "height", "m", 0, 10, "0.6", ""),
+    plainKey(kObstacle, "pose", kPose, "", "where it stands: [x, y, heading]; must be given"),
+    plainKey(kObstacle, "colour", kColour, "[0.75, 0.08, 0.06]", ""),
+    from(kObstacle, "mass", "kg", 0, 1000, "0.0", "0: it stands fast; else it can be pushed and knocked over"),
+    plainKey(kObstacle, "surface", kText, "\"plastic\"", "for the pairs of surfaces"),
+
+    plainKey("course", "pose", kPose, "[0, 0, 0]", "middle of the start line, and the direction of the way"),
+    from("course", "length", "m", 0, 200, "0.0", "from the start line to the finish line; 0: there is no course"),
+    from("course", "width", "m", 0, 200, "0.0", "of the strip that must not be left; 0: no limit"),
+    wordKey("course", "first_side", "left right", "\"left\"",
+            "of the first pole of a slalom, on which the robot passes; sides alternate"),
+    whole("course", "random_obstacles", 0, 400, "0",
+          "so many, as `[obstacles.all]` has them, on sites that the seed chooses"),
+    whole("course", "sites_along", 1, 20, "3", "sites divide length and width evenly, the edges left out"),
+    whole("course", "sites_across", 1, 20, "3", ""),
+    whole("course", "most_abreast", 1, 20, "2", "obstacles beside one another"),
+
     plainKey("referee", "enabled", kBool, "true", ""),
-    wordKey("referee", "kickoff_team", "red blue", "\"red\"", "has the first kick-off"),
+    wordKey("referee", "rules", "match penalty_kicks slalom obstacle_run", "\"match\"",
+            "what is judged; all but `match` are trials"),
+    whole("referee", "attempts", 1, 1000, "1", "of a trial, each from where the scenario has everything"),
+    above("referee", "time_limit", "s", 0, 1e5, "60.0", "of an attempt"),
+    from("referee", "scatter", "m", 0, 1, "0.0",
+         "standard deviation of the robots' places at the beginning of an attempt, of which they are not told"),
+    from("referee", "scatter_heading", "rad", 0, 3.2, "0.0", "same, of their headings; or {deg = ...}"),
+    wordKey("referee", "kickoff_team", "red blue", "\"red\"", "has the first kick-off, or makes the attempts"),
     from("referee", "kickoff_wait", "s", 0, 600, "10.0", "after which the other team may play a resting ball"),
     above("referee", "ball_moved", "m", 0, 2, "0.05", "way of the ball after which it is in play"),
-    from("referee", "pause_after_goal", "s", 0, 600, "2.0", "until the robots are put back for the kick-off"),
+    from("referee", "pause_after_goal", "s", 0, 600, "2.0",
+         "until the robots are put back for the kick-off, or for the next attempt"),
     from("referee", "half_length", "s", 0, 1e7, "0.0", "0: one half, as long as the run"),
 
     plainKey("output", "directory", kText, "\"out\"", ""),

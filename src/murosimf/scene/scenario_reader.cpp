@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "murosimf/scene/contact_reader.h"
+#include "murosimf/scene/course_reader.h"
 #include "murosimf/scene/field_reader.h"
 #include "murosimf/scene/override.h"
 #include "murosimf/scene/robot_layers.h"
@@ -53,6 +54,8 @@ class ScenarioReader {
     scene_.contacts = readContacts(whole_.find("contacts"), file_tree_.find("contacts"), problems_);
     readTeams();
     readRobots();
+    scene_.course = readCourse(whole_.find("course"), problems_);
+    scene_.obstacles = readObstacles(whole_.find("obstacles"), scene_.course, *scene_.simulation.seed, problems_);
     readReferee();
     readOutput();
     return std::move(scene_);
@@ -203,11 +206,38 @@ class ScenarioReader {
   void readReferee() {
     const TableReader reader = section("referee");
     reader.read("enabled", scene_.referee.enabled);
+    reader.read("rules", scene_.referee.rules);
+    reader.read("attempts", scene_.referee.attempts);
+    reader.read("time_limit", scene_.referee.time_limit);
+    reader.read("scatter", scene_.referee.scatter);
+    reader.read("scatter_heading", scene_.referee.scatter_heading);
     reader.read("kickoff_team", scene_.referee.kickoff_team);
     reader.read("kickoff_wait", scene_.referee.kickoff_wait);
     reader.read("ball_moved", scene_.referee.ball_moved);
     reader.read("pause_after_goal", scene_.referee.pause_after_goal);
     reader.read("half_length", scene_.referee.half_length);
+    checkRules();
+  }
+
+  /// What the rules need to have something to judge.
+  void checkRules() {
+    const Located<std::string>& rules = scene_.referee.rules;
+    if (*rules == "match" || !*scene_.referee.enabled) return;
+    const std::string& team = *scene_.referee.kickoff_team;
+    const bool any = std::any_of(scene_.robots.begin(), scene_.robots.end(),
+                                 [&](const RobotSettings& robot) { return robot.team == team; });
+    if (!any)
+      problems_.error(rules.where, fmt::format("rules are \"{}\", and there is no robot of team {} to make the "
+                                               "attempts, expected one, or another kickoff_team",
+                                               *rules, team));
+    if (*rules == "penalty_kicks") {
+      if (!*scene_.ball.present)
+        problems_.error(rules.where, "rules are \"penalty_kicks\", and there is no ball, expected ball.present = true");
+    } else if (*scene_.course.length <= 0) {
+      problems_.error(rules.where, fmt::format("rules are \"{}\", and there is no course, expected [course] with a "
+                                               "length of more than 0 m",
+                                               *rules));
+    }
   }
 
   void readOutput() {

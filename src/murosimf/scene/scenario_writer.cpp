@@ -90,6 +90,8 @@ void writeField(ScenarioWriter& out, const FieldSettings& f) {
   out.value("centre_circle_radius", f.centre_circle_radius);
   out.value("goal_area_length", f.goal_area_length);
   out.value("goal_area_width", f.goal_area_width);
+  out.value("penalty_area_length", f.penalty_area_length);
+  out.value("penalty_area_width", f.penalty_area_width);
   out.value("penalty_mark_distance", f.penalty_mark_distance);
   out.value("pole_radius", f.pole_radius);
   out.value("pole_height", f.pole_height);
@@ -181,9 +183,36 @@ void writeRobot(ScenarioWriter& out, const RobotSettings& r) {
   out.named(r.properties);
 }
 
+void writeObstacle(ScenarioWriter& out, const ObstacleSettings& o) {
+  out.table(o.path());
+  out.value("shape", o.shape);
+  out.value("radius", o.radius);
+  out.value("length", o.length);
+  out.value("width", o.width);
+  out.value("height", o.height);
+  out.value("pose", o.pose);
+  out.value("colour", o.colour);
+  out.value("mass", o.mass);
+  out.value("surface", o.surface);
+}
+
+/// Random obstacles have become obstacles like others.
+void writeCourse(ScenarioWriter& out, const CourseSettings& c) {
+  out.table("course");
+  out.value("pose", c.pose);
+  out.value("length", c.length);
+  out.value("width", c.width);
+  out.value("first_side", c.first_side);
+}
+
 void writeReferee(ScenarioWriter& out, const RefereeSettings& r) {
   out.table("referee");
   out.value("enabled", r.enabled);
+  out.value("rules", r.rules);
+  out.value("attempts", r.attempts);
+  out.value("time_limit", r.time_limit);
+  out.value("scatter", r.scatter);
+  out.value("scatter_heading", r.scatter_heading);
   out.value("kickoff_team", r.kickoff_team);
   out.value("kickoff_wait", r.kickoff_wait);
   out.value("ball_moved", r.ball_moved);
@@ -213,6 +242,8 @@ std::string writeScenario(const Scene& scene) {
     out.value("attacks", Located<std::string>{*team->attacks_positive_x ? "+x" : "-x", {}});
   }
   for (const RobotSettings& robot : scene.robots) writeRobot(out, robot);
+  for (const ObstacleSettings& obstacle : scene.obstacles) writeObstacle(out, obstacle);
+  writeCourse(out, scene.course);
   writeReferee(out, scene.referee);
   writeOutput(out, scene.output);
   return out.take();

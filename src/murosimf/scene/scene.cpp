@@ -1,6 +1,9 @@
 #include "murosimf/scene/scene.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "murosimf/math/elementary.h"
 
 namespace murosimf {
 
@@ -18,10 +21,35 @@ client::FieldDescription fieldDescription(const Scene& scene) {
   d.centre_circle_radius = *field.centre_circle_radius;
   d.goal_area_length = *field.goal_area_length;
   d.goal_area_width = *field.goal_area_width;
+  d.penalty_area_length = *field.penalty_area_length;
+  d.penalty_area_width = *field.penalty_area_width;
   d.penalty_mark_distance = *field.penalty_mark_distance;
   d.ball_radius = *scene.ball.radius;
   d.pole_radius = *field.pole_radius;
   d.pole_height = *field.pole_height;
+  return d;
+}
+
+double ObstacleSettings::reach() const {
+  return *shape == "box" ? 0.5 * sqrt(*length * *length + *width * *width) : *radius;
+}
+
+client::CourseDescription courseDescription(const Scene& scene, bool attacks_positive_x) {
+  const CourseSettings& course = scene.course;
+  client::CourseDescription d;
+  d.length = *course.length, d.width = *course.width;
+  d.X_FC = *course.pose;
+  if (!attacks_positive_x) d.X_FC = {-d.X_FC.x, -d.X_FC.y, wrapAngle(d.X_FC.heading + kPi)};
+  d.first_passed_on_left = *course.first_side == "left";
+  d.slalom = *scene.referee.rules == "slalom";
+  for (const ObstacleSettings& obstacle : scene.obstacles) {
+    d.obstacle_radius = std::max(d.obstacle_radius, obstacle.reach());
+    for (const ObstacleSettings* other = scene.obstacles.data(); other != &obstacle; ++other) {
+      const double dx = obstacle.pose->x - other->pose->x, dy = obstacle.pose->y - other->pose->y;
+      const double apart = sqrt(dx * dx + dy * dy);
+      d.obstacle_spacing = d.obstacle_spacing > 0 ? std::min(d.obstacle_spacing, apart) : apart;
+    }
+  }
   return d;
 }
 

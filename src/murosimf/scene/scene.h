@@ -49,6 +49,7 @@ struct FieldSettings {
   Located<std::string> preset{"2007", {}};
   Located<double> length, width, goal_width, goal_height, goal_depth, post_radius, line_width, border;
   Located<double> centre_circle_radius, goal_area_length, goal_area_width, penalty_mark_distance;
+  Located<double> penalty_area_length, penalty_area_width;
   Located<double> pole_radius, pole_height;
   Located<double> brightness{1.0, {}};  ///< factor on all light
   Located<Colour> carpet;
@@ -127,8 +128,40 @@ struct RobotSettings {
   std::string path() const { return "robots." + team + "." + std::to_string(number); }
 };
 
+/// Something upright that stands in the way.
+struct ObstacleSettings {
+  std::string name;
+  SourceLocation where;                           ///< of its table
+  Located<std::string> shape{"cylinder", {}};     ///< "cylinder" or "box"
+  Located<double> radius{.1, {}};                 ///< of a cylinder [m]
+  Located<double> length{.4, {}}, width{.4, {}};  ///< of a box, along its own x and y [m]
+  Located<double> height{.6, {}};                 ///< [m]
+  Located<PlanarPose> pose;                       ///< X_WO
+  Located<Colour> colour{{.75F, .08F, .06F}, {}};
+  Located<double> mass{0.0, {}};  ///< [kg]; 0: it stands fast
+  Located<std::string> surface{"plastic", {}};
+
+  std::string path() const { return "obstacles." + name; }
+  /// No part of it is farther from its axis [m].
+  double reach() const;
+};
+
+/// The way of a slalom or of an obstacle run (client::CourseDescription).
+struct CourseSettings {
+  Located<PlanarPose> pose;         ///< X_WC
+  Located<double> length{0.0, {}};  ///< [m]; 0: there is no course
+  Located<double> width{0.0, {}};   ///< [m]; 0: no limit
+  Located<std::string> first_side{"left", {}};
+  Located<int> random_obstacles{0, {}};  ///< on sites that the seed chooses
+  Located<int> sites_along{3, {}}, sites_across{3, {}}, most_abreast{2, {}};
+};
+
 struct RefereeSettings {
   Located<bool> enabled{true, {}};
+  Located<std::string> rules{"match", {}};                     ///< "match", "penalty_kicks", "slalom" or "obstacle_run"
+  Located<int> attempts{1, {}};                                ///< of all rules but the match's
+  Located<double> time_limit{60.0, {}};                        ///< of an attempt [s]
+  Located<double> scatter{0.0, {}}, scatter_heading{0.0, {}};  ///< of the robots' places at its beginning [m], [rad]
   Located<std::string> kickoff_team{"red", {}};
   Located<double> kickoff_wait{10.0, {}};     ///< the other team may play after this even if the ball rests [s]
   Located<double> ball_moved{.05, {}};        ///< ball is in play when moved this far from the mark [m]
@@ -151,13 +184,17 @@ struct Scene {
   std::vector<SurfacePairSettings> surfaces;  ///< built-in table and the scenario's changes, sorted by (first, second)
   std::vector<ContactRuleSettings> contacts;  ///< the later over the earlier
   TeamSettings red{"red", {true, {}}}, blue{"blue", {false, {}}};
-  std::vector<RobotSettings> robots;  ///< red before blue, then by number
+  std::vector<RobotSettings> robots;        ///< red before blue, then by number
+  std::vector<ObstacleSettings> obstacles;  ///< by name, those on random sites too
+  CourseSettings course;
   RefereeSettings referee;
   OutputSettings output;
 };
 
 /// What both teams measure before the game.
 client::FieldDescription fieldDescription(const Scene& scene);
+/// What a team is told of the course.
+client::CourseDescription courseDescription(const Scene& scene, bool attacks_positive_x);
 /// The pair of two surfaces in either order, or nullptr.
 const SurfacePairSettings* findSurfacePair(const Scene& scene, std::string_view a, std::string_view b);
 

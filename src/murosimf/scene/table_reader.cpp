@@ -50,7 +50,7 @@ bool TableReader::read(std::string_view key, Located<double>& target) const {
   const TextNode* node = child(key);
   if (node == nullptr) return false;
   const ScenarioKey& known = keyOf(section_, key);
-  const std::optional<double> value = readNumber(*node, key, expectation(known), false, diagnostics_);
+  const std::optional<double> value = readNumber(*node, key, expectation(known), known.unit == "rad", diagnostics_);
   if (!value) return false;
   if (!isInside(*value, known)) return fail(*node, known);
   target = {*value, node->where};
@@ -210,7 +210,7 @@ bool TableReader::read(std::string_view key, Located<std::vector<std::string>>& 
 }
 
 void TableReader::refuseUnknownKeys(const std::vector<std::string>& more) const {
-  constexpr std::size_t kFewKeys = 9;
+  constexpr std::size_t kFewKeys = 12;
   if (table_ == nullptr) return;
   std::vector<std::string> known = keysOfSection(section_);
   known.insert(known.end(), more.begin(), more.end());

@@ -11,6 +11,7 @@
 #include "murosimf/modules/sensing/sensor_errors.h"
 #include "murosimf/robot/urdf_reader.h"
 #include "murosimf/scene/contact_builder.h"
+#include "murosimf/scene/obstacle_builder.h"
 #include "murosimf/simulation/focus_rules.h"
 #include "murosimf/world/vocabulary.h"
 
@@ -33,6 +34,7 @@ WorldBuilder::WorldBuilder(const Scene& scene, Diagnostics& diagnostics)
   addSurfaces(*world_, scene);
   addRobots();
   if (*scene.ball.present) addBall();
+  addObstacles();
 }
 
 void WorldBuilder::addFixed(const std::vector<ObjectId>& objects) {
@@ -138,6 +140,30 @@ void WorldBuilder::addBall() {
   participants_.free_bodies.push_back(ball);
 }
 
+void WorldBuilder::addObstacles() {
+  for (const ObstacleSettings& obstacle : scene_.obstacles) {
+    Landmark landmark;
+    landmark.kind = SightKind::kObstacle, landmark.b = {0, 0, *obstacle.height}, landmark.grounded = true;
+    if (*obstacle.mass > 0) {
+      const RobotBlueprint print = obstacleBlueprint(obstacle);
+      if (*scene_.ball.present) checkSurfaces(print.model);
+      const ObjectId id = addRobot(*world_, obstacle.path(), print, {});
+      world_->set(id, kMass, *obstacle.mass, obstacle.mass.where);
+      const double across = *obstacle.shape == "box" ? min(*obstacle.length, *obstacle.width) / 2 : *obstacle.radius;
+      world_->set(id, kBlockingRadius, across, obstacle.where);
+      participants_.robots.push_back(id);
+      movables_.push_back({&obstacle, obstacleAsRobot(obstacle), id});
+      landmark.object = id;
+    } else {
+      landmark.object = world_->addPath(obstacle.path());
+      world_->set(landmark.object, kFixedPose, toPose(*obstacle.pose), obstacle.pose.where);
+      world_->set(landmark.object, kShapes, {obstacleShape(obstacle)});
+      participants_.fixed.push_back(landmark.object);
+    }
+    landmarks_.push_back(landmark);
+  }
+}
+
 std::unique_ptr<Simulation> WorldBuilder::link(const ModuleRegistry& registry, const ControlPrograms& programs,
                                                const PictureMakers& makers) {
   makers_ = makers;
@@ -177,12 +203,19 @@ bool WorldBuilder::assignModules(Linker& linker, const ModuleRegistry& registry)
   const int before = diagnostics_.errorCount();
   for (Outfit& outfit : outfits_) {
     outfit.plan = motionPlanOf(*outfit.robot, diagnostics_);
-    for (Assignment& assignment : modulesOf(*outfit.robot, outfit.plan, registry, diagnostics_)) {
-      assignment.assembly = outfit.id;
-      linker.assign(std::move(assignment));
-    }
+    assign(linker, registry, outfit.id, *outfit.robot, outfit.plan);
   }
+  for (const Movable& movable : movables_)
+    assign(linker, registry, movable.id, movable.robot, motionPlanOf(movable.robot, diagnostics_));
   return diagnostics_.errorCount() == before;
+}
+
+void WorldBuilder::assign(Linker& linker, const ModuleRegistry& registry, ObjectId assembly, const RobotSettings& robot,
+                          const MotionPlan& plan) {
+  for (Assignment& assignment : modulesOf(robot, plan, registry, diagnostics_)) {
+    assignment.assembly = assembly;
+    linker.assign(std::move(assignment));
+  }
 }
 
 void WorldBuilder::placeAll(Simulation& simulation) const {
@@ -193,6 +226,8 @@ void WorldBuilder::placeAll(Simulation& simulation) const {
       simulation.interventions().exchangeLevel(frame, outfit.id, change.level);
     }
   }
+  for (const Movable& movable : movables_)
+    simulation.interventions().placeRobot(0, movable.id, *movable.obstacle->pose);
   for (const ObjectId ball : participants_.free_bodies) {
     const Vector3 lowest = *scene_.ball.position;
     simulation.interventions().placeBody(0, ball, {lowest.x, lowest.y, lowest.z + *scene_.ball.radius});
@@ -258,7 +293,9 @@ client::RobotDescription WorldBuilder::describe(const RobotSettings& robot) cons
   for (const TouchSensorMount& sensor : model.touch_sensors) d.touch_sensors.push_back(sensor.name);
   for (const ForceSensorMount& sensor : model.force_sensors) d.force_sensors.push_back(sensor.name);
   d.field = fieldDescription(scene_);
-  describeGoals(scene_, *(robot.team == "red" ? scene_.red : scene_.blue).attacks_positive_x, d);
+  const bool attacks_plus = *(robot.team == "red" ? scene_.red : scene_.blue).attacks_positive_x;
+  d.course = courseDescription(scene_, attacks_plus);
+  describeGoals(scene_, attacks_plus, d);
   d.control_period = *scene_.simulation.control_period;
   d.seed = *scene_.simulation.seed;
   return d;

@@ -59,14 +59,23 @@ class WorldBuilder {
     std::optional<PoseOracleSettings> localisation;
     std::function<std::unique_ptr<client::ControlSoftware>()> program;
   };
+  /// An obstacle that can be pushed.
+  struct Movable {
+    const ObstacleSettings* obstacle = nullptr;
+    RobotSettings robot;
+    ObjectId id;
+  };
   const RobotBlueprint* blueprint(const RobotSettings& robot);
   void addRobots();
   void addBall();
+  void addObstacles();
   void setProperty(const RobotSettings& robot, const NamedValue& property);
   void sumMass(ObjectId robot);
   void checkSurfaces(const RobotModel& model);
   std::unique_ptr<Simulation> joinAll(std::unique_ptr<LinkedWorld> linked);
   bool assignModules(Linker& linker, const ModuleRegistry& registry);
+  void assign(Linker& linker, const ModuleRegistry& registry, ObjectId assembly, const RobotSettings& robot,
+              const MotionPlan& plan);
   void chooseCameras(Outfit& outfit);
   void checkGround(const CameraChoice& choice);
   void chooseProgram(Outfit& outfit, const ControlPrograms& programs);
@@ -88,6 +97,7 @@ class WorldBuilder {
   Participants participants_;
   std::map<std::string, std::unique_ptr<RobotBlueprint>> blueprints_;
   std::vector<Outfit> outfits_;
+  std::vector<Movable> movables_;
   std::vector<Landmark> landmarks_;
   std::vector<Attachment> attachments_;
   std::vector<std::pair<CameraModel, std::shared_ptr<const RayTable>>> rays_;  // null: the lens is impossible

@@ -14,7 +14,7 @@ namespace {
 using client::Percept;
 
 constexpr Rgb kBallColour{255, 60, 220}, kPostColour{255, 255, 0}, kPoleColour{0, 255, 255};
-constexpr Rgb kLineColour{255, 40, 40}, kRobotColour{255, 160, 255};
+constexpr Rgb kLineColour{255, 40, 40}, kRobotColour{255, 160, 255}, kObstacleColour{255, 255, 255};
 
 constexpr int kReadableWidth = 320;  // [px] at which large pictures are looked at among others
 
@@ -30,6 +30,8 @@ Rgb colourOf(Percept::Kind kind) {
       return kLineColour;
     case Percept::Kind::kRobot:
       return kRobotColour;
+    case Percept::Kind::kObstacle:
+      return kObstacleColour;
   }
   return Rgb{};
 }
@@ -46,6 +48,8 @@ std::string_view nameOf(Percept::Kind kind) {
       return "";
     case Percept::Kind::kRobot:
       return "ROBOT";
+    case Percept::Kind::kObstacle:
+      return "OBSTACLE";
   }
   return "";
 }
@@ -100,6 +104,8 @@ Percept::Kind perceptOf(client::ThingKind kind) {
       return Percept::Kind::kPost;
     case client::ThingKind::kPole:
       return Percept::Kind::kPole;
+    case client::ThingKind::kObstacle:
+      return Percept::Kind::kObstacle;
     case client::ThingKind::kLine:
       break;
   }

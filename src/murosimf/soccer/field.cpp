@@ -24,15 +24,20 @@ void addRectangle(PaintedGround& ground, double x0, double y0, double x1, double
   addLine(ground, x0, y1, x0, y0, width);
 }
 
+/// Three lines around a goal line's middle; side +1 or -1.
+void addArea(PaintedGround& ground, const client::FieldDescription& f, double side, double length, double width) {
+  if (!(length > 0 && width > 0)) return;
+  const double goal_line = side * f.length / 2, front = goal_line - side * length, half = width / 2, w = f.line_width;
+  addLine(ground, goal_line, -half, front, -half, w);
+  addLine(ground, front, -half, front, half, w);
+  addLine(ground, front, half, goal_line, half, w);
+}
+
 /// The lines before one goal; side +1 or -1.
 void addGoalLines(PaintedGround& ground, const client::FieldDescription& f, double side) {
   const double goal_line = side * f.length / 2, w = f.line_width;
-  if (f.goal_area_length > 0) {
-    const double front = goal_line - side * f.goal_area_length, half = f.goal_area_width / 2;
-    addLine(ground, goal_line, -half, front, -half, w);
-    addLine(ground, front, -half, front, half, w);
-    addLine(ground, front, half, goal_line, half, w);
-  }
+  addArea(ground, f, side, f.goal_area_length, f.goal_area_width);
+  addArea(ground, f, side, f.penalty_area_length, f.penalty_area_width);
   if (f.penalty_mark_distance > 0) {
     const double x = goal_line - side * f.penalty_mark_distance;
     ground.lines.push_back({x - w, 0, x + w, 0, w});

@@ -29,10 +29,10 @@ void addGoal(std::vector<Landmark>& out, ObjectId goal, const client::FieldDescr
   }
 }
 
-void addGoalArea(std::vector<Landmark>& out, const client::FieldDescription& f, double side) {
-  if (!(f.goal_area_length > 0)) return;
-  const double goal_line = side * f.length / 2, front = goal_line - side * f.goal_area_length;
-  const double half = f.goal_area_width / 2;
+/// Three lines around a goal line's middle; side +1 or -1.
+void addArea(std::vector<Landmark>& out, const client::FieldDescription& f, double side, double length, double width) {
+  if (!(length > 0 && width > 0)) return;
+  const double goal_line = side * f.length / 2, front = goal_line - side * length, half = width / 2;
   addLine(out, goal_line, -half, front, -half);
   addLine(out, front, -half, front, half);
   addLine(out, front, half, goal_line, half);
@@ -60,7 +60,8 @@ std::vector<Landmark> fieldLandmarks(const std::vector<ObjectId>& objects, const
   for (const double side : {-1.0, 1.0}) {
     addLine(out, -x, side * y, x, side * y);
     addLine(out, side * x, -y, side * x, y);
-    addGoalArea(out, f, side);
+    addArea(out, f, side, f.goal_area_length, f.goal_area_width);
+    addArea(out, f, side, f.penalty_area_length, f.penalty_area_width);
   }
   addLine(out, 0, -y, 0, y);
   addCircle(out, f.centre_circle_radius);

@@ -1,20 +1,18 @@
 #pragma once
 
-/// @file The referee: clock, kick-offs, goals, balls put back. Acts through interventions and the game's broadcast.
+/// @file What all referees do: they watch the ball, keep the phases, put robots and ball to their places and tell the
+/// robots how the game stands. Act through interventions and the game's broadcast.
 ///
-/// Phases    kSet (1 s: robots and ball stand at their places) -> kPlaying -> after a goal kReady (a pause) ->
-/// everybody
-///           is put at the kick-off places -> kSet ... -> kFinished. The match begins in kSet with the robots where the
-///           scenario put them. Half-time is a pause like that after a goal; the teams do not change sides.
-/// Kick-off  goes to the team that conceded. The other team waits until the ball is in play; its control software is
-///           trusted to do so. A kick-off may go straight into the goal.
-/// Rules     of the ball: restart_rules.h. Play is not stopped when the ball is put back.
-/// Clock     runs all the time, pauses included.
+/// Phases    kSet (1 s: robots and ball stand at their places) -> kPlaying -> kReady (a pause) -> everybody is put to
+///           a place -> kSet ... -> kFinished. A game begins in kSet with the robots where the scenario put them. What
+///           ends kPlaying and the game is up to the rules: match_referee.h, penalty_referee.h, course_referee.h.
 /// Rhythm    The ball is watched in every frame. The referee acts where a control period begins, so a placement made
 ///           there is seen whole by the next sensor frame, and that one alone says `placed`.
-/// State     archived; a continued run goes on with the same match.
+/// State     archived; a continued run goes on with the same game.
 
 #include <array>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "murosimf/linking/body_path.h"
@@ -25,72 +23,89 @@ namespace murosimf {
 
 /// Something worth a line in the report.
 struct MatchEvent {
-  enum class Kind : std::uint8_t { kKickoff, kGoal, kTouchLine, kGoalLine, kStuck, kHalfTime, kFinish };
+  enum class Kind : std::uint8_t { kKickoff, kGoal, kTouchLine, kGoalLine, kStuck, kHalfTime, kFinish, kAttempt };
   Kind kind = Kind::kKickoff;
-  Team team = Team::kRed;  ///< that kicks off, scored, or touched the ball last
+  Team team = Team::kRed;  ///< that kicks off, scored, touched the ball last, or attempts
   double time = 0;         ///< [s]
   Vector3 place;           ///< of the ball [m]
 };
 
-class Referee final : public FrameObserver {
- public:
-  /// Tells the robots of the match at once: make it after the control loop has been set and before the first frame.
-  Referee(const MatchSettings& match, Simulation& simulation);
+inline constexpr double kSetTime = 1.0;  ///< between placing everybody and the whistle [s]
 
-  void afterFrame(Simulation& simulation) override;
+class Referee : public FrameObserver {
+ public:
+  void afterFrame(Simulation& simulation) final;
   void archive(StateArchive& archive) override;
+  /// How the game stands, for people: "red 1 : 0 blue".
+  virtual std::string scoreText() const;
 
   const MatchSettings& match() const { return match_; }
   client::GamePhase phase() const { return state_.phase; }
-  /// The ball has been kicked off and no goal has been scored since.
+  /// The ball has been kicked off, and play has not been ended since.
   bool ballInPlay() const { return state_.phase == client::GamePhase::kPlaying && state_.kicked_off; }
   Team kickoffTeam() const { return state_.kickoff_team; }
   int score(Team team) const { return state_.score[teamIndex(team)]; }
-  /// Kick-offs and balls put back so far, the first kick-off included.
+  /// Kick-offs, attempts and balls put back so far, the first kick-off included.
   std::uint32_t restartCount() const { return state_.restarts; }
   const std::vector<MatchEvent>& events() const { return events_; }
 
- private:
+ protected:
+  Referee(const MatchSettings& match, Simulation& simulation);
+
+  /// What the rules say where a control period begins. @returns true when the robots have been put somewhere
+  virtual bool decide(Simulation& simulation) = 0;
+  /// Of the half or of the attempt [s].
+  virtual double timeLeft(long frame) const = 0;
+
   struct State {
     client::GamePhase phase = client::GamePhase::kSet;
     Team kickoff_team = Team::kRed;
     bool kicked_off = false;
     bool touched = false;    // by anybody since the kick-off...
     Team last = Team::kRed;  // ...last by this team
-    bool second_half = false;
     std::uint32_t restarts = 1;
     std::array<int, 2> score{};
-    long phase_began = 0, half_began = 0, rested_since = 0;  // [frames]
-    Vector3 ball, mark, rest;  // now, at the kick-off, centre of the circle of kStuckDistance
-    BallExit exit;             // seen, not acted upon yet
-    double exit_time = 0;      // [s]
+    long phase_began = 0;  // [frames]
+    Vector3 ball, mark;    // now, at the kick-off
+    BallExit exit;         // seen, not acted upon yet
+    double exit_time = 0;  // [s]
   };
 
-  void watchBall(Simulation& simulation);
-  /// What is decided in each phase. @returns true when the robots have been put somewhere
-  bool decide(Simulation& simulation);
-  void play(Simulation& simulation);
-  void countGoal();
-  void putBack(Simulation& simulation);
-  bool isStuck(long frame);
-  void checkClock(long frame);
-  void kickOff(Simulation& simulation);
-  void begin(client::GamePhase phase, long frame);
-  void putBall(Simulation& simulation, const Vector3& place, double gap);
+  /// Tells the robots of the game, which the last constructor must do before the first frame.
   void tellRobots(Simulation& simulation, bool placed) const;
+  void begin(client::GamePhase phase, long frame);
+  /// The whistle: play begins with the ball where it is.
+  void whistle(long frame);
+  /// The ball counts as in play once it has moved, or after the wait.
+  void checkKickedOff(long frame);
+  /// @param error  of who puts it there, in its own axes; the robot is told of `place`
+  void putRobot(Simulation& simulation, std::size_t robot, const PlanarPose& place, const PlanarPose& error = {});
+  void putBall(Simulation& simulation, const Vector3& place);
   void note(MatchEvent::Kind kind, Team team, double time);
   double seconds(long frames) const { return static_cast<double>(frames) * frame_length_; }
-  double halfLength() const { return match_.half_length > 0 ? match_.half_length : match_.duration; }
+  /// Since the phase began, with half a frame for what is rounded [s].
+  double elapsed(long frame) const { return seconds(frame - state_.phase_began) + frame_length_ / 2; }
+  bool hasBall() const { return ball_.valid(); }
+  Vector3 ballVelocity() const { return ball_velocity_.get(); }
+  /// p_WB of a robot's base at the end of the last frame.
+  Vector3 position(std::size_t robot, const Simulation& simulation) const;
 
   MatchSettings match_;
+  State state_;
+
+ private:
+  void watchBall(Simulation& simulation);
+
   double frame_length_;
   Handle<Pose> ball_;
+  Handle<Vector3> ball_velocity_;
   std::vector<BodyPath> paths_;       // of the robots
   std::vector<int> control_indices_;  // -1: nobody controls it
-  std::vector<PlanarPose> places_;    // where the robots were put last
-  std::vector<Vector3> positions_;    // of the robots' bases, scratch
-  State state_;
+  std::vector<PlanarPose> places_;    // where the robots were said to have been put last
   std::vector<MatchEvent> events_;
 };
+
+/// The referee for the rules of the settings.
+std::unique_ptr<Referee> makeReferee(const MatchSettings& match, Simulation& simulation);
 
 }  // namespace murosimf

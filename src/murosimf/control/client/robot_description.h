@@ -48,10 +48,23 @@ struct FieldDescription {
   double post_radius = 0;
   double line_width = 0, border = 0;
   double centre_circle_radius = 0;
-  double goal_area_length = 0, goal_area_width = 0;  ///< 0 where the field has none
+  double goal_area_length = 0, goal_area_width = 0;        ///< 0 where the field has none
+  double penalty_area_length = 0, penalty_area_width = 0;  ///< same
   double penalty_mark_distance = 0;                  ///< from the goal line
   double ball_radius = 0;
   double pole_radius = 0, pole_height = 0;  ///< landmark poles at the ends of the halfway line; 0: none
+};
+
+/// The way of a slalom or of an obstacle run, as the rules give it. Frame C: origin in the middle of the start line,
+/// x along the way, y to its left. Where the obstacles stand is for the robot to see.
+struct CourseDescription {
+  double length = 0;  ///< from the start line to the finish line [m]; 0: there is no course
+  double width = 0;   ///< of the strip that must not be left, in its middle the x axis [m]; 0: no limit
+  PlanarPose X_FC;    ///< in the team's own frame
+  bool first_passed_on_left = true;  ///< slalom: where the robot is when it passes the first pole; sides alternate
+  bool slalom = false;               ///< else any way around the obstacles will do
+  double obstacle_radius = 0;        ///< no part of one is farther from its middle [m]
+  double obstacle_spacing = 0;       ///< between the middles of any two, at least [m]; 0: nothing is known
 };
 
 struct RobotDescription {
@@ -65,6 +78,7 @@ struct RobotDescription {
   std::vector<std::string> touch_sensors;  ///< in the order of SensorFrame::touches
   std::vector<std::string> force_sensors;  ///< in the order of SensorFrame::forces
   FieldDescription field;
+  CourseDescription course;
   bool attacks_positive_x = true;  ///< red's and blue's own frames: +x is the goal they attack, after this turn
   std::string goal_colour_attacked, goal_colour_defended;  ///< "yellow" or "blue"
   double control_period = 0.01;                            ///< time between sensor frames [s]

@@ -31,11 +31,12 @@ struct CameraPicture {
 };
 
 /// Kinds of things that a camera of level "oracle" tells of, in the place of a picture.
-enum class ThingKind : std::uint8_t { kBall, kRobot, kPost, kPole, kLine };
+enum class ThingKind : std::uint8_t { kBall, kRobot, kPost, kPole, kLine, kObstacle };
 
 /// One thing seen, in the camera's frame C (x right, y down, z forward) at the moment of the look.
 struct SeenThing {
-  Vector3 p_C;  ///< a ball's centre; on the ground below a robot's base; foot of a post or pole; a line's one end [m]
+  Vector3 p_C;  ///< a ball's centre; on the ground below a robot's base or an obstacle's middle; foot of a post or
+                ///< pole; a line's one end [m]
   Vector3 q_C;  ///< where the part of a line that is seen ends; of other things p_C [m]
   std::string_view mark;  ///< team of a robot, colour of a post or of a pole's top: "red", "yellow"
   int number = 0;         ///< jersey number of a robot
@@ -113,7 +114,7 @@ struct CommandFrame {
 /// One ball, post or line point found in a picture, or told as seen in one, for people and for the harness that
 /// measures the vision.
 struct Percept {
-  enum class Kind : std::uint8_t { kBall, kPost, kPole, kLinePoint, kRobot };
+  enum class Kind : std::uint8_t { kBall, kPost, kPole, kLinePoint, kRobot, kObstacle };
   Kind kind = Kind::kBall;
   int camera = 0;
   double u = 0, v = 0;  ///< centre (ball), foot point (post, pole, robot), point [pixels]
