@@ -61,6 +61,8 @@ inline constexpr std::string_view kBodies = "bodies";               ///< rows of
 inline constexpr std::string_view kSoles = "soles";                 ///< right ones, left ones, those of no side
 inline constexpr std::string_view kTouchSensors = "touch_sensors";  ///< in the order of the robot file
 inline constexpr std::string_view kForceSensors = "force_sensors";  ///< likewise
+inline constexpr std::string_view kRangeSensors = "range_sensors";  ///< likewise
+inline constexpr std::string_view kWheels = "wheels";               ///< wheels and castors, likewise
 }  // namespace subset
 
 }  // namespace murosimf

@@ -4,6 +4,7 @@
 ///
 /// Frames: W the field (origin at its centre, z up), B the base body of a robot, S a sole (centre of its lower face).
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -37,6 +38,29 @@ struct SolePlace {
   friend bool operator==(const SolePlace&, const SolePlace&) = default;
 };
 
+/// Which way a wheel lets its contact point slide: none, along the axles of its rollers only, or all but freely.
+enum class WheelKind : std::uint8_t { kPlain, kRollers, kCastor };
+
+/// A wheel, which a joint turns about its axle, or a castor: a ball that slides.
+struct WheelPlace {
+  WheelKind kind = WheelKind::kPlain;
+  int row = 0;              ///< body that it is; that of a wheel is turned by joint row - 1
+  Vector3 centre;           ///< p_RC [m]
+  Vector3 axle{0, 1, 0};    ///< of length 1, the axis of the joint: turning about it drives towards axle x up
+  double radius = 0;        ///< [m]
+  double roller_angle = 0;  ///< from the way that it drives to its lowest roller's axle, positive about up [rad]
+  friend bool operator==(const WheelPlace&, const WheelPlace&) = default;
+};
+
+/// Directions in which a range sensor looks, in its frame S: x forward, z up.
+struct RangeModel {
+  bool nearest = false;             ///< one reading, the least of all directions; else a reading each
+  std::vector<Vector3> directions;  ///< of length 1
+  double least = 0, largest = 0;    ///< that it can tell [m]
+  int readings() const { return nearest ? 1 : static_cast<int>(directions.size()); }
+  friend bool operator==(const RangeModel&, const RangeModel&) = default;
+};
+
 /// One shape of a body: what touches and what is seen.
 struct PlacedShape {
   int row = 0;  ///< body (row of the tree table) that carries it; 0 for single bodies
@@ -48,6 +72,7 @@ struct PlacedShape {
   int touch_sensor = -1;                               ///< that feels it, counted in the robot's; -1: none
   std::shared_ptr<const ConvexHull> hull = nullptr;    ///< of a kConvex shape, in S; one for all robots of a file
   std::shared_ptr<const TriangleMesh> mesh = nullptr;  ///< drawn in the shape's place, in S; shared likewise
+  int wheel = -1;                                      ///< that it is, counted in the robot's; -1: none
   friend bool operator==(const PlacedShape&, const PlacedShape&) = default;
 };
 
@@ -94,6 +119,13 @@ inline constexpr Constant<double> kBlockingRadius{"blocking_radius", "m",
                                                   "radius of the upright cylinder that kinematic robots keep clear of"};
 inline constexpr Constant<double> kTouchThreshold{"touch_threshold", "N", "force above which a touch sensor closes"};
 inline constexpr Constant<MountPlace> kForcePlace{"force_place", "", "mount of a force sensor, on what it carries"};
+inline constexpr Constant<std::vector<WheelPlace>> kWheels{"wheels", "", "places of wheels and castors"};
+inline constexpr Constant<double> kWheelFriction{"wheel_friction", "1",
+                                                 "mu of a wheel or castor on the ground: largest force over load"};
+inline constexpr Constant<double> kWheelStickSpeed{"wheel_stick_speed", "m/s",
+                                                   "slip of a wheel at rest at which its friction is used up"};
+inline constexpr Constant<double> kWheelCreepage{"wheel_creepage", "1",
+                                                 "further slip over rolling speed at which its friction is used up"};
 inline constexpr Constant<double> kNoiseKey{"noise_key", "1",
                                             "whole number below 2^53 from which its random numbers follow"};
 // Constants of single bodies.
@@ -107,6 +139,18 @@ inline constexpr Constant<double> kBallRadius{"ball_radius", "m",
 inline constexpr Constant<CameraModel> kCameraModel{"camera_model", "", "lens and size of the picture"};
 inline constexpr Constant<MountPlace> kCameraPlace{"camera_place", "", "mount; C: x right, y down, z forward"};
 inline constexpr Constant<std::vector<int>> kHiddenRows{"hidden_rows", "", "bodies that this camera does not draw"};
+// Constants of range sensors.
+inline constexpr Constant<RangeModel> kRangeModel{"range_model", "", "directions and limits of a range sensor"};
+inline constexpr Constant<MountPlace> kRangePlace{"range_place", "", "mount of a range sensor; S: x forward, z up"};
+inline constexpr Constant<double> kRangePeriod{"range_period", "s", "time between two scans"};
+inline constexpr Constant<double> kRangePhase{"range_phase", "s", "time of the first scan"};
+inline constexpr Constant<double> kRangeOffset{"range_offset", "m", "added to every reading"};
+inline constexpr Constant<double> kRangeBias{"range_bias", "m", "deviation of what else is added, drawn once a sensor"};
+inline constexpr Constant<double> kRangeNoise{"range_noise", "m", "deviation of the noise of each reading"};
+inline constexpr Constant<double> kRangeNoiseShare{"range_noise_share", "1",
+                                                   "deviation of further noise, over the range that is read"};
+inline constexpr Constant<double> kRangeQuantum{"range_quantum", "m", "step of readings; 0: none"};
+inline constexpr Constant<double> kRangeDelay{"range_delay", "s", "from a scan to its reading"};
 // Constants of the world's root.
 inline constexpr std::string_view kGroundSurface = "turf";  ///< surface type of the ground
 inline constexpr Constant<SurfaceTable> kSurfaceTable{"surface_table", "", "what happens between types of surface"};

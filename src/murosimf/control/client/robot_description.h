@@ -40,6 +40,35 @@ struct CameraDescription {
   double linear_from = std::numeric_limits<double>::infinity();
 };
 
+/// A wheel or castor. Turned with w > 0 a wheel drives towards axle x up, at w times its radius.
+struct WheelDescription {
+  std::string name;
+  int joint = -1;           ///< that turns it, index into RobotDescription::joints; -1: a castor, which only slides
+  Vector3 centre, axle;     ///< on the base, axle of length 1 [m]
+  double radius = 0;        ///< [m]
+  bool rollers = false;     ///< whether its rim consists of rollers, which let it slide across their axles
+  double roller_angle = 0;  ///< from the way that it drives to the axle of its lowest roller, positive about up [rad]
+};
+
+/// A laser scanner, or a sensor that tells the nearest distance within a cone (infrared, ultrasound).
+struct RangeSensorDescription {
+  std::string name;
+  std::string body;               ///< the body (link) that carries it
+  Pose X_BS;                      ///< on the robot's base, joints at zero: S has x forward, y left, z up
+  std::vector<double> angles;     ///< of each reading of a scan, about z, positive to the left [rad]; one of a cone: 0
+  double half_angle = 0;          ///< between the axis of a cone and its side; 0 of a scanner [rad]
+  double least = 0, largest = 0;  ///< that it can tell [m]
+  double period = 0;              ///< time between two scans [s]
+};
+
+/// Where a touch sensor sits, a bumper for example.
+struct TouchSensorDescription {
+  std::string name;
+  std::string body;      ///< the body (link) whose shapes it feels
+  Vector3 centre;        ///< of these shapes, on the robot's base, joints at zero [m]
+  double threshold = 0;  ///< force above which it closes [N]
+};
+
 /// The field of play: what a team measures before a game. Origin at the centre; +x towards the opponents' goal of the
 /// team that attacks +x. See soccer/field.h for the drawing.
 struct FieldDescription {
@@ -72,11 +101,14 @@ struct RobotDescription {
   std::string team;   ///< "red" or "blue"
   int number = 0;     ///< jersey number from 1
   std::string role;   ///< free text of the scenario's control parameters: "keeper", "defender", "striker"
-  std::vector<JointDescription> joints;    ///< in the order of sensor and command frames
-  std::vector<CameraDescription> cameras;  ///< in the order of CameraPicture::camera
-  std::vector<std::string> soles;          ///< names: right ones, left ones, those of no side
-  std::vector<std::string> touch_sensors;  ///< in the order of SensorFrame::touches
-  std::vector<std::string> force_sensors;  ///< in the order of SensorFrame::forces
+  std::vector<JointDescription> joints;               ///< in the order of sensor and command frames
+  std::vector<CameraDescription> cameras;             ///< in the order of CameraPicture::camera
+  std::vector<std::string> soles;                     ///< names: right ones, left ones, those of no side
+  std::vector<std::string> touch_sensors;             ///< in the order of SensorFrame::touches
+  std::vector<std::string> force_sensors;             ///< in the order of SensorFrame::forces
+  std::vector<TouchSensorDescription> touch_mounts;   ///< of touch_sensors
+  std::vector<RangeSensorDescription> range_sensors;  ///< in the order of RangeScan::sensor
+  std::vector<WheelDescription> wheels;               ///< in the order of the robot file
   FieldDescription field;
   CourseDescription course;
   bool attacks_positive_x = true;  ///< red's and blue's own frames: +x is the goal they attack, after this turn

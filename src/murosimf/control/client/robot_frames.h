@@ -50,6 +50,14 @@ struct CameraSights {
   std::span<const SeenThing> things;
 };
 
+/// What a range sensor has measured, valid only during the call that delivers it: one number an angle of its
+/// description [m]. Plus infinity: nothing within its range. Minus infinity: nearer than its least [ROS REP 117].
+struct RangeScan {
+  int sensor = 0;   ///< index into RobotDescription::range_sensors
+  double time = 0;  ///< at which it was taken [s]
+  std::span<const double> ranges;
+};
+
 /// Where a robot stands, as somebody who knows tells it: level "oracle" of localisation.
 struct ToldPose {
   int number = 0;      ///< jersey number
@@ -94,6 +102,7 @@ struct SensorFrame {
   std::span<const Vector3> forces;          ///< as RobotDescription::force_sensors, in their axes [N]
   std::span<const CameraPicture> pictures;  ///< those whose time has come since the last frame
   std::span<const CameraSights> sights;     ///< of cameras of level "oracle", likewise
+  std::span<const RangeScan> scans;         ///< of range sensors, that have come since the last frame
   ToldPose own_pose;                        ///< not valid where nobody tells it
   std::span<const ToldPose> mate_poses;     ///< those that were told since the last frame
   std::span<const TeamMessage> team_messages;  ///< from team mates
