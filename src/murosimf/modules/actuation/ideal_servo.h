@@ -4,7 +4,8 @@
 ///
 /// Model      q+ = q + clamp(clamp(q_cmd, lower, upper) - q, +-v_max dt),  v = (q+ - q)/dt.
 ///            v_max is the servo's no-load speed, or the command's own speed limit where that is smaller and positive.
-///            A command with kp = 0 asks for nothing: the joint stays where it is.
+///            A command with kp = 0 asks for nothing: the joint stays where it is; one with kp = 0 and kd > 0 asks for
+///            its velocity, as wheels are driven.
 /// Cost       about 10 operations a joint.
 /// Exchange   with any module that adds joint_position and joint_velocity.
 

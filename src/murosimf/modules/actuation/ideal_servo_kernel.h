@@ -29,7 +29,9 @@ void idealServo(const IdealServoArguments& a, const BlockMemory& block, const St
   for (int j = 0; j < a.joints; ++j) {
     const JointGoal<S> goal = jointGoal(command[j], q[j], lower[j], upper[j], fastest[j]);
     const S limit = goal.speed * dt, difference = goal.position - q[j];
-    const S next = select(abs(difference) <= limit, goal.position, q[j] + withSignOf(limit, difference));
+    const S followed = select(abs(difference) <= limit, goal.position, q[j] + withSignOf(limit, difference));
+    const S wanted = wantedRate(command[j], q[j], lower[j], upper[j], fastest[j], S(1 / time.dt));
+    const S next = select(hasRate(command[j]), fma(wanted, dt, q[j]), followed);
     v[j] = (next - q[j]) / dt;
     q[j] = next;
   }

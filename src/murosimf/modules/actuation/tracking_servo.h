@@ -5,7 +5,8 @@
 /// Model      dq = clamp((clamp(q_cmd, lower, upper) - q) / max(dt, lag), +-v_max), held over the step. The lag is that
 ///            of the servo, kd/kp of the robot file: what is left of tau = kp (q_cmd - q) - kd dq where mass does not
 ///            count. v_max is the servo's no-load speed, or the command's own speed limit where that is smaller and
-///            positive. A command with kp = 0 asks for nothing: the joint stays where it is. With a largest
+///            positive. A command with kp = 0 asks for nothing: the joint stays where it is; one with kp = 0 and
+///            kd > 0 asks for its velocity, dq = clamp(velocity, +-v_max), as wheels are driven. With a largest
 ///            acceleration a the rate changes by at most a dt a step, and slows down early enough to stop at the
 ///            command.
 /// Phase      kPrescribe: before contacts and forces are found.

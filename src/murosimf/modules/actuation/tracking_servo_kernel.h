@@ -41,7 +41,13 @@ void trackingServo(const TrackingServoArguments& a, const BlockMemory& block, co
     const S way = goal.position - q[j];
     const S rate = clamp(way * min(per_step, eagerness[j]), -goal.speed, goal.speed);
     const S change = largest_acceleration[j] * dt;
-    demand[j] = select(change > S(0), gentleRate(rate, dq[j], way * per_step, change), rate);
+    const S followed = select(change > S(0), gentleRate(rate, dq[j], way * per_step, change), rate);
+    const auto has_rate = hasRate(command[j]);
+    demand[j] = followed;
+    if (!any(has_rate)) continue;
+    const S wanted = wantedRate(command[j], q[j], lower[j], upper[j], fastest[j], per_step);
+    const S gentle = select(change > S(0), clamp(wanted, dq[j] - change, dq[j] + change), wanted);
+    demand[j] = select(has_rate, gentle, followed);
   }
 }
 
