@@ -78,6 +78,46 @@ struct ForceSensorMount {
   SourceLocation where{};
 };
 
+/// Which way a wheel slips freely (docs/wheeled_robots.md): nowhere, across the axles of its rollers, everywhere.
+enum class WheelFeet { kTyre, kRollers, kCastor };
+
+/// A wheel, whose body a joint turns about its axle, or a castor, which is a ball that slides.
+struct WheelMount {
+  std::string name{};
+  int body = -1;
+  WheelFeet feet = WheelFeet::kTyre;
+  int shape = -1;           ///< of the body, that touches the ground
+  Vector3 p_BW{};           ///< its centre on the body [m]
+  Vector3 axle{};           ///< of length 1, in the body's axes: the axis of its joint; of castors z
+  double radius = 0;        ///< of that shape [m]
+  double roller_angle = 0;  ///< from the way that it drives to the axle of its lowest roller, positive about up [rad]
+  double friction = 0;      ///< mu: largest force on the ground over load
+  double stick_speed = 0;   ///< slip at rest at which its friction is used up [m/s]
+  double creepage = 0;      ///< further slip over rolling speed at which it is
+  SourceLocation where{};
+};
+
+/// What is wrong with the readings of a range sensor.
+struct RangeErrors {
+  double offset = 0, bias = 0, noise = 0, noise_share = 0, quantum = 0, delay = 0;
+};
+
+/// A laser scanner, or a distance sensor that tells the nearest thing in a cone. Frame S: x forward, z up.
+struct RangeSensorMount {
+  std::string name{};
+  int body = -1;
+  Pose X_BS{};
+  std::vector<double> angles{};   ///< of a scanner's rays, about z [rad]; empty: a cone
+  double half_angle = 0;          ///< of a cone; 0: one ray [rad]
+  double least = 0, largest = 0;  ///< that it can tell [m]
+  double period = 0, phase = 0;   ///< between two scans, of the first [s]
+  RangeErrors errors{};
+  std::vector<int> hidden_bodies{};  ///< that it does not see, besides those that are fixed to its own
+  SourceLocation where{};
+  /// Of length 1, in S: of a scanner's rays; of a cone its axis and rings of six, twelve, ... rays about it.
+  std::vector<Vector3> directions() const;
+};
+
 /// Reports a joint's position, in steps of `resolution` [rad or m]; 0: exact. Every servo brings one.
 struct JointSensorMount {
   int joint = -1;
@@ -106,6 +146,8 @@ struct RobotModel {
   std::vector<PressureSensorMount> pressure_sensors{};
   std::vector<TouchSensorMount> touch_sensors{};
   std::vector<ForceSensorMount> force_sensors{};
+  std::vector<RangeSensorMount> range_sensors{};
+  std::vector<WheelMount> wheels{};
   std::vector<JointSensorMount> joint_sensors{};  ///< at most one a joint, in the order of joints
   /// Pairs of bodies (smaller index first, ascending) that are never tested for contact with each other.
   std::vector<std::pair<int, int>> ignored_pairs{};

@@ -51,7 +51,8 @@ class Assembler {
     TreeBuilder builder;
     std::vector<Open> open;
     refuseForceSensors(graph_.root, "carries the others");
-    addLink(builder.base(robot_.links[at(graph_.root)].body.name), graph_.root, open);
+    checkWheels(robot_.links[at(graph_.root)], nullptr, diagnostics_);
+    addLink(builder.base(robot_.links[at(graph_.root)].body.name), graph_.root, open, kAxisZ);
     while (!open.empty()) {
       const Open next = open.back();
       open.pop_back();
@@ -60,23 +61,25 @@ class Assembler {
       if (!part.fixed) place = place.joint(part.joint);
       const int link = graph_.child_of_joint[at(next.joint)];
       if (part.fixed) refuseForceSensors(link, "is fixed to " + quoted(part.parent.name));
-      addLink(place, link, open);
+      checkWheels(robot_.links[at(link)], &part, diagnostics_);
+      addLink(place, link, open, part.joint.axis);
     }
     model_.tree = builder.draft();
     reportMassless();
   }
 
-  /// Hangs a link on its place; the joints below it go on the list so that the first of the file comes next.
-  void addLink(const TreePlace& place, int index, std::vector<Open>& open) {
+  /// Hangs a link on its place, which a joint turns about `axis`; the joints below it go on the list so that the first
+  /// of the file comes next.
+  void addLink(const TreePlace& place, int index, std::vector<Open>& open, const Vector3& axis) {
     const LinkPart& link = robot_.links[at(index)];
     place.body(link.body);
-    addMounts(link);
+    addMounts(link, axis);
     const std::vector<int>& below = graph_.joints_below[at(index)];
     const TreePlace branch = below.size() > 1 ? place.fork() : place;
     for (auto joint = below.rbegin(); joint != below.rend(); ++joint) open.push_back({branch, *joint});
   }
 
-  void addMounts(const LinkPart& link) {
+  void addMounts(const LinkPart& link, const Vector3& axis) {
     const int body = body_count_++;
     const auto mount = [body](auto& list, auto thing) {
       thing.body = body;
@@ -87,9 +90,17 @@ class Assembler {
     for (const PressureSensorMount& sensor : link.pressure_sensors) mount(model_.pressure_sensors, sensor);
     for (const TouchSensorMount& sensor : link.touch_sensors) mount(model_.touch_sensors, sensor);
     for (const ForceSensorMount& sensor : link.force_sensors) mount(model_.force_sensors, sensor);
+    for (WheelMount wheel : link.wheels) {
+      if (wheel.feet != WheelFeet::kCastor) wheel.axle = axis;
+      mount(model_.wheels, wheel);
+    }
     for (const CameraPart& camera : link.cameras) {
       mount(model_.cameras, camera.mount);
       hides_.push_back(&camera.hides);
+    }
+    for (const RangeSensorPart& sensor : link.range_sensors) {
+      mount(model_.range_sensors, sensor.mount);
+      ranges_hide_.push_back(&sensor.hides);
     }
   }
 
@@ -129,13 +140,17 @@ class Assembler {
     return -1;
   }
 
-  void resolveCameras() {
-    for (std::size_t i = 0; i < hides_.size(); ++i) {
-      for (const Reference& hidden : *hides_[i]) {
-        const int body = findBody(hidden);
-        if (body >= 0) model_.cameras[i].hidden_bodies.push_back(body);
-      }
+  void resolveHidden(const std::vector<Reference>& hides, std::vector<int>& hidden_bodies) {
+    for (const Reference& hidden : hides) {
+      const int body = findBody(hidden);
+      if (body >= 0) hidden_bodies.push_back(body);
     }
+  }
+
+  void resolveCameras() {
+    for (std::size_t i = 0; i < hides_.size(); ++i) resolveHidden(*hides_[i], model_.cameras[i].hidden_bodies);
+    for (std::size_t i = 0; i < ranges_hide_.size(); ++i)
+      resolveHidden(*ranges_hide_[i], model_.range_sensors[i].hidden_bodies);
   }
 
   void resolveIgnoredPairs() {
@@ -155,6 +170,7 @@ class Assembler {
     add(model_.tree.bodies), add(model_.tree.joints), add(model_.soles);
     add(model_.cameras), add(model_.imus), add(model_.pressure_sensors);
     add(model_.touch_sensors), add(model_.force_sensors);
+    add(model_.range_sensors), add(model_.wheels);
     for (const JointPart& part : robot_.joints) names.push_back(part.joint.name);  // those that are fixed, too
     return names;
   }
@@ -178,7 +194,8 @@ class Assembler {
   Diagnostics& diagnostics_;
   RobotModel model_;
   int body_count_ = 0;
-  std::vector<const std::vector<Reference>*> hides_;  ///< of each camera of the model
+  std::vector<const std::vector<Reference>*> hides_;        ///< of each camera of the model
+  std::vector<const std::vector<Reference>*> ranges_hide_;  ///< of each range sensor
 };
 
 }  // namespace

@@ -172,7 +172,8 @@ void readLink(const XmlElement& element, RobotPart& robot) {
   if (!collides && has_collision) element.error("has a <collision>, and collides=\"false\"");
   if (extension) {
     extension->accept({"surface", "collides"},
-                      {"sole", "camera", "imu", "pressure_sensor", "touch_sensor", "force_sensor", "property"});
+                      {"sole", "camera", "imu", "pressure_sensor", "touch_sensor", "force_sensor", "laser_scanner",
+                       "distance_sensor", "wheel", "castor", "property"});
     readMounts(*extension, link, robot);
     readProperties(*extension, link.body.name, robot);
   }

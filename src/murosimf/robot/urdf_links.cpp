@@ -153,6 +153,8 @@ void checkNames(const RobotPart& robot, Diagnostics& diagnostics) {
     for (const PressureSensorMount& s : link.pressure_sensors) claim("pressure_sensor", s.name, s.where);
     for (const TouchSensorMount& s : link.touch_sensors) claim("touch_sensor", s.name, s.where);
     for (const ForceSensorMount& s : link.force_sensors) claim("force_sensor", s.name, s.where);
+    for (const RangeSensorPart& s : link.range_sensors) claim("range sensor", s.mount.name, s.mount.where);
+    for (const WheelMount& wheel : link.wheels) claim("wheel", wheel.name, wheel.where);
   }
   for (const JointPart& part : robot.joints) claim("joint", part.joint.name, part.joint.where);
 }

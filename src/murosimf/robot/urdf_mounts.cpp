@@ -166,6 +166,14 @@ void readMounts(const XmlElement& extension, LinkPart& link, RobotPart& robot) {
   for (const XmlElement& sensor : extension.children("force_sensor")) {
     link.force_sensors.push_back(readForceSensor(sensor, robot));
   }
+  for (const XmlElement& sensor : extension.children("laser_scanner")) {
+    link.range_sensors.push_back(readLaserScanner(sensor, robot));
+  }
+  for (const XmlElement& sensor : extension.children("distance_sensor")) {
+    link.range_sensors.push_back(readDistanceSensor(sensor, robot));
+  }
+  for (const XmlElement& wheel : extension.children("wheel")) link.wheels.push_back(readWheel(wheel, link, robot));
+  for (const XmlElement& castor : extension.children("castor")) link.wheels.push_back(readCastor(castor, link, robot));
 }
 
 void readRobotExtension(const XmlElement& extension, RobotPart& robot) {

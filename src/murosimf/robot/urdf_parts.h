@@ -28,6 +28,11 @@ struct CameraPart {
   std::vector<Reference> hides{};
 };
 
+struct RangeSensorPart {
+  RangeSensorMount mount{};
+  std::vector<Reference> hides{};
+};
+
 /// Mounts have no body index yet: they belong to the link that they stand in.
 struct LinkPart {
   Body body{};
@@ -37,6 +42,8 @@ struct LinkPart {
   std::vector<PressureSensorMount> pressure_sensors{};
   std::vector<TouchSensorMount> touch_sensors{};
   std::vector<ForceSensorMount> force_sensors{};
+  std::vector<RangeSensorPart> range_sensors{};
+  std::vector<WheelMount> wheels{};
 };
 
 struct JointPart {
@@ -101,6 +108,14 @@ void readLink(const XmlElement& element, RobotPart& robot);
 void readJoint(const XmlElement& element, RobotPart& robot);
 /// A camera of a link's <murosimf>.
 CameraPart readCamera(const XmlElement& element, RobotPart& robot);
+/// A <laser_scanner> or a <distance_sensor> of a link's <murosimf>.
+RangeSensorPart readLaserScanner(const XmlElement& element, RobotPart& robot);
+RangeSensorPart readDistanceSensor(const XmlElement& element, RobotPart& robot);
+/// A <wheel> or a <castor> of a link's <murosimf>.
+WheelMount readWheel(const XmlElement& element, const LinkPart& link, RobotPart& robot);
+WheelMount readCastor(const XmlElement& element, const LinkPart& link, RobotPart& robot);
+/// Reports wheels in a link that this joint does not turn as wheels are turned; null: no joint does.
+void checkWheels(const LinkPart& link, const JointPart* joint, Diagnostics& diagnostics);
 /// Soles, cameras and sensors of a link's <murosimf>.
 void readMounts(const XmlElement& extension, LinkPart& link, RobotPart& robot);
 /// All <property> children, for this object ("" the robot).

@@ -24,13 +24,23 @@ int touchSensorOf(const RobotModel& model, std::size_t body) {
   return -1;
 }
 
+int wheelOf(const RobotModel& model, std::size_t body, std::size_t shape) {
+  for (std::size_t i = 0; i < model.wheels.size(); ++i) {
+    const WheelMount& wheel = model.wheels[i];
+    if (wheel.body == static_cast<int>(body) && wheel.shape == static_cast<int>(shape)) return static_cast<int>(i);
+  }
+  return -1;
+}
+
 std::vector<PlacedShape> shapesOf(const RobotBlueprint& b, const Colour& team_colour) {
   std::vector<PlacedShape> shapes;
   for (std::size_t i = 0; i < b.model.tree.bodies.size(); ++i) {
-    for (const BodyShape& s : b.model.tree.bodies[i].shapes) {
+    const std::vector<BodyShape>& of_body = b.model.tree.bodies[i].shapes;
+    for (std::size_t k = 0; k < of_body.size(); ++k) {
+      const BodyShape& s = of_body[k];
       const MountPlace place = placeOn(b, static_cast<int>(i), s.X_BS);
       shapes.push_back({place.row, place.X_RM, s.shape, s.team_colour ? team_colour : s.colour, s.surface, s.collides,
-                        s.drawn, touchSensorOf(b.model, i), s.hull, s.mesh});
+                        s.drawn, touchSensorOf(b.model, i), s.hull, s.mesh, wheelOf(b.model, i, k)});
     }
   }
   return shapes;
@@ -133,6 +143,56 @@ void addTouchAndForceSensors(World& world, ObjectId robot, const RobotBlueprint&
   world.defineSubset(robot, subset::kForceSensors, std::move(force));
 }
 
+constexpr WheelKind kindOf(WheelFeet feet) {
+  return feet == WheelFeet::kCastor    ? WheelKind::kCastor
+         : feet == WheelFeet::kRollers ? WheelKind::kRollers
+                                       : WheelKind::kPlain;
+}
+
+void addWheels(World& world, ObjectId robot, const RobotBlueprint& b) {
+  if (b.model.wheels.empty()) return;
+  std::vector<WheelPlace> places;
+  std::vector<ObjectId> wheels;
+  for (const WheelMount& wheel : b.model.wheels) {
+    const MountPlace place = placeOn(b, wheel.body, {Rotation3{}, wheel.p_BW});
+    places.push_back({kindOf(wheel.feet), place.row, place.X_RM.translation, place.X_RM.rotation * wheel.axle,
+                      wheel.radius, wheel.roller_angle});
+    wheels.push_back(world.add(robot, wheel.name));
+    world.set(wheels.back(), kWheelFriction, wheel.friction, wheel.where);
+    world.set(wheels.back(), kWheelStickSpeed, wheel.stick_speed, wheel.where);
+    world.set(wheels.back(), kWheelCreepage, wheel.creepage, wheel.where);
+  }
+  world.set(robot, kWheels, std::move(places), b.model.wheels.front().where);
+  world.defineSubset(robot, subset::kWheels, std::move(wheels));
+}
+
+/// What is fixed to a sensor does not stand in its way.
+std::vector<int> rowsHiddenFrom(const RobotBlueprint& b, const RangeSensorMount& sensor, int own_row) {
+  std::vector<int> rows{own_row};
+  for (const int body : sensor.hidden_bodies) rows.push_back(b.flat.bodies[static_cast<std::size_t>(body)].row);
+  return rows;
+}
+
+void addRangeSensors(World& world, ObjectId robot, const RobotBlueprint& b) {
+  std::vector<ObjectId> sensors;
+  for (const RangeSensorMount& sensor : b.model.range_sensors) {
+    const ObjectId id = world.add(robot, sensor.name);
+    sensors.push_back(id);
+    const MountPlace place = placeOn(b, sensor.body, sensor.X_BS);
+    world.set(id, kRangePlace, place, sensor.where);
+    world.set(id, kRangeModel, {sensor.angles.empty(), sensor.directions(), sensor.least, sensor.largest},
+              sensor.where);
+    world.set(id, kHiddenRows, rowsHiddenFrom(b, sensor, place.row));
+    const std::pair<const Constant<double>&, double> numbers[] = {
+        {kRangePeriod, sensor.period},          {kRangePhase, sensor.phase},
+        {kRangeOffset, sensor.errors.offset},   {kRangeBias, sensor.errors.bias},
+        {kRangeNoise, sensor.errors.noise},     {kRangeNoiseShare, sensor.errors.noise_share},
+        {kRangeQuantum, sensor.errors.quantum}, {kRangeDelay, sensor.errors.delay}};
+    for (const auto& [property, value] : numbers) world.set(id, property, value, sensor.where);
+  }
+  world.defineSubset(robot, subset::kRangeSensors, std::move(sensors));
+}
+
 }  // namespace
 
 const std::string& rowName(const RobotBlueprint& b, int row) { return b.flat.row_names[static_cast<std::size_t>(row)]; }
@@ -151,6 +211,8 @@ ObjectId addRobot(World& world, const std::string& path, const RobotBlueprint& b
   addBodies(world, robot, b);
   addCameras(world, robot, b);
   addTouchAndForceSensors(world, robot, b);
+  addWheels(world, robot, b);
+  addRangeSensors(world, robot, b);
   addSoles(world, robot, b);
   for (const auto& [key, text] : b.model.properties) {
     const ObjectId object = key.object.empty() ? robot : world.find(path + "." + key.object);
