@@ -4,9 +4,9 @@
 ///
 /// A box touches with its corners; an ellipsoid with its one deepest point; a cylinder with three points on the rim of
 /// each of its ends: the deepest one and those a third of a turn from it, so that it stands, tips and lies as it
-/// should; a capsule with the deepest point of each round end; a convex hull with its vertices (ground_hull.h). Heights
-/// over the ground z = 0 follow from the world's up direction u in the body's axes and the height of the body's origin
-/// alone: h(r) = h_0 + u . r.
+/// should; a wheel with the lowest point of its rim (ground_wheel.h); a capsule with the deepest point of each round
+/// end; a convex hull with its vertices (ground_hull.h). Heights over the ground z = 0 follow from the world's up
+/// direction u in the body's axes and the height of the body's origin alone: h(r) = h_0 + u . r.
 
 #include "murosimf/algorithms/surface_pair.h"
 #include "murosimf/algorithms/tree_rows.h"
@@ -20,9 +20,18 @@ struct CornerShares {
   double of[4];  ///< corners of a sole
 };
 
+/// What a wheel has besides: its axle on the body, and the angle from the way that it drives to its lowest roller's
+/// axle. A castor is a wheel without axle that grips alike in all directions.
+struct GroundWheel {
+  int number = 0;  ///< in the robot's
+  bool castor = false, rollers = false;
+  double axle[3] = {0, 1, 0};
+  double cosine = 1, sine = 0;  ///< of the angle
+};
+
 /// One shape on a row of the tree, in plain numbers.
 struct GroundShape {
-  enum class Kind { kBox, kEllipsoid, kCylinder, kCapsule, kConvex };
+  enum class Kind { kBox, kEllipsoid, kCylinder, kCapsule, kConvex, kWheel };
   Kind kind = Kind::kBox;
   int row = 0;
   int sole = -1;                    ///< number of the sole that this box's lower face is, or a hull's part, or -1
@@ -37,7 +46,8 @@ struct GroundShape {
   int least_corners = 0;  ///< of any face of a hull
   double reach = 0;       ///< radius of a sphere about the shape's centre that holds it [m]
   double stiffness = 0;   ///< of one point: s_c over the points on which the shape rests; of a hull s_c [N/m]
-  SurfacePair pair;       ///< with the ground
+  SurfacePair pair;       ///< with the ground; of a wheel its normal law alone counts
+  GroundWheel wheel;      ///< of a wheel
 
   /// Points on which a shape rests, by which the pair's stiffness is shared.
   static constexpr int kBoxPoints = 4, kCylinderPoints = 3, kEllipsoidPoints = 1, kCapsulePoints = 2, kConvexPoints = 1;

@@ -84,6 +84,10 @@ void GroundContact::declare(Declaration& d) const {
   d.needs(kTree);
   d.needs(kShapes);
   d.uses(kSoles, {});
+  d.uses(kWheels, {});
+  d.uses(kWheelFriction, 0.0, subset::kWheels);
+  d.uses(kWheelStickSpeed, 1e-3, subset::kWheels);
+  d.uses(kWheelCreepage, 0.0, subset::kWheels);
   d.needs(kSurfaceTable, subset::kWorld);
   d.uses(kGroundTerms, {});
   d.reads(kBodyTwist, subset::kBodies);
@@ -126,11 +130,20 @@ void GroundContact::addShape(const PlacedShape& s, const SurfacePair& pair, cons
   shape.stiffness = shape.pair.stiffness / kind.resting_points;
 }
 
+void GroundContact::addWheel(const WheelPlace& place, int number, GroundShape& shape) const {
+  const SinCos<double> angle = sincos(place.roller_angle);
+  shape.kind = GroundShape::Kind::kWheel;
+  shape.stiffness = shape.pair.stiffness;
+  shape.wheel = {number, place.kind == WheelKind::kCastor, place.kind == WheelKind::kRollers, {}, angle.cos, angle.sin};
+  put(place.axle, shape.wheel.axle);
+}
+
 void GroundContact::link(Links& links) {
   const SurfaceTable table = links.shared(kSurfaceTable, subset::kWorld);
   const std::vector<SolePlace> soles = links.shared(kSoles);
   const std::vector<ContactTerms> rules = links.shared(kGroundTerms);
   const std::vector<PlacedShape> shapes = links.shared(kShapes);
+  const std::vector<WheelPlace> wheels = links.shared(kWheels);
   const int rows = links.shared(kTree).bodyCount();
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const PlacedShape& s = shapes[i];
@@ -139,13 +152,16 @@ void GroundContact::link(Links& links) {
     if (!terms.check) continue;
     if (s.row < 0 || s.row >= rows) throw std::invalid_argument(fmt::format("a shape on row {} of {}", s.row, rows));
     addShape(s, terms.surface, soles);
+    if (s.wheel >= 0) addWheel(wheels.at(static_cast<std::size_t>(s.wheel)), s.wheel, shapes_.back());
   }
-  const auto bulges = std::stable_partition(shapes_.begin(), shapes_.end(), [](const GroundShape& shape) {
+  const auto wheeled = std::stable_partition(
+      shapes_.begin(), shapes_.end(), [](const GroundShape& shape) { return shape.kind != GroundShape::Kind::kWheel; });
+  const auto bulges = std::stable_partition(shapes_.begin(), wheeled, [](const GroundShape& shape) {
     return shape.kind != GroundShape::Kind::kCapsule && shape.kind != GroundShape::Kind::kConvex;
   });
   arguments_ = {shapes_.data(),
                 static_cast<int>(bulges - shapes_.begin()),
-                static_cast<int>(shapes_.end() - bulges),
+                static_cast<int>(wheeled - bulges),
                 links.column(kBodyTwist, subset::kBodies),
                 links.column(kBodyUp, subset::kBodies),
                 links.column(kBodyHeight, subset::kBodies),
@@ -153,7 +169,11 @@ void GroundContact::link(Links& links) {
                 links.column(kContactInertia, subset::kBodies),
                 links.column(kContactTouch, subset::kBodies),
                 links.column(kSoleResponse, subset::kSoles),
-                links.column(kTouchResponse, subset::kTouchSensors)};
+                links.column(kTouchResponse, subset::kTouchSensors),
+                static_cast<int>(shapes_.end() - wheeled),
+                links.column(kWheelFriction, subset::kWheels),
+                links.column(kWheelStickSpeed, subset::kWheels),
+                links.column(kWheelCreepage, subset::kWheels)};
   kernel_ = kernelOfWidth<GroundContactArguments>(links.width());
 }
 

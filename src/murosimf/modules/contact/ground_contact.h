@@ -10,6 +10,8 @@
 ///            paper_contact           `paper` and viscous friction [Friedmann 2007, 3.3.2]
 ///            smooth_contact          `smooth` and viscous friction; the default of simplified dynamics
 ///            hunt_crossley_contact   `hunt_crossley` and Coulomb friction; the default of multibody dynamics
+///            Wheels and castors, whatever the law, have friction of their own (algorithms/ground_wheel.h): their
+///            wheel_friction, wheel_stick_speed and wheel_creepage; one point carries the stiffness of the pair.
 /// Phase      kEvaluate, before the dynamics.
 /// Adds to    body_force; in steps that look ahead contact_touch, with contact_inertia where it is 1; sole_response of
 ///            the soles whose rectangle is the lower face of a box of their body, or next to which a hull of it has
@@ -43,6 +45,7 @@ class GroundContact : public BlockModule {
   };
   std::optional<Laws> laws_;
   void addShape(const PlacedShape& s, const SurfacePair& pair, const std::vector<SolePlace>& soles);
+  void addWheel(const WheelPlace& place, int number, GroundShape& shape) const;
   void addVertices(const PlacedShape& s, const std::vector<SolePlace>& soles, GroundShape& shape);
 
   std::vector<GroundShape> shapes_;
