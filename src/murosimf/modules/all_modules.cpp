@@ -23,6 +23,7 @@
 #include "murosimf/modules/integration/runge_kutta.h"
 #include "murosimf/modules/kinematics/body_poses.h"
 #include "murosimf/modules/motion/kinematic_walking.h"
+#include "murosimf/modules/motion/wheeled_kinematics.h"
 #include "murosimf/modules/sensing/dynamic_inertial_sensor.h"
 #include "murosimf/modules/sensing/foot_pressure.h"
 #include "murosimf/modules/sensing/force_sensor.h"
@@ -30,6 +31,7 @@
 #include "murosimf/modules/sensing/joint_torque_sensor.h"
 #include "murosimf/modules/sensing/known_sensors.h"
 #include "murosimf/modules/sensing/prescribed_inertial_sensor.h"
+#include "murosimf/modules/sensing/push_sensor.h"
 #include "murosimf/modules/sensing/touch_sensor.h"
 
 namespace murosimf {
@@ -59,6 +61,7 @@ ModuleRegistry allModules() {
                          TrackingServo::parameters());
   all.add<KinematicWalking>("kinematic_walking", "motion", "the stance foot is pinned to the ground",
                             KinematicWalking::parameters());
+  all.add<WheeledKinematics>("wheeled_kinematics", "motion", "wheels turn as told and move the base by friction");
   all.add<BodyPoses>("body_poses", "kinematics", "world poses of all bodies");
   all.add<TreeMotionPass>("tree_motion", "velocities", "velocities of all bodies in their own axes");
   all.add<HuntCrossleyContact>("hunt_crossley_contact", "contact", "ground: law of Hunt and Crossley, dry friction");
@@ -91,6 +94,7 @@ ModuleRegistry allModules() {
   all.add<FootPressure>("foot_pressure", "pressure", "forces under the four corners of each sole");
   all.add<JointTorqueSensor>("joint_torque_sensor", "torque", "what servo, friction and stops gave each joint");
   all.add<TouchSensor>("touch_sensor", "touch", "whether the ground presses on the shapes of a link");
+  all.add<PushSensor>("push_sensor", "touch", "whether balls, robots or posts press on the shapes of a link");
   all.add<ForceSensor>("force_sensor", "force", "forces that pass through joints, in three axes");
   addErrors<kGyroscopeErrors>(all, "bias, noise, steps, limits, delay and rate of the gyroscope");
   addErrors<kAccelerometerErrors>(all, "the same of the accelerometer");

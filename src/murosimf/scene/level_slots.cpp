@@ -16,11 +16,12 @@ constexpr std::string_view kGroundLaws[] = {"hunt_crossley_contact", "smooth_con
 
 constexpr std::string_view kCoarserShapes[] = {"feet_only", "bounding_spheres"};
 
-constexpr Slot kKinematicSlots[] = {{"actuation", "ideal_servo"},
-                                    {"motion", "kinematic_walking"},
-                                    {"collision", "primitives", kCoarserShapes},
-                                    {"kinematics", "body_poses"},
-                                    {"sensing", "inertial_sensor"}};
+constexpr Slot kKinematicSlots[] = {
+    {"actuation", "ideal_servo"}, {"motion", "kinematic_walking"}, {"collision", "primitives", kCoarserShapes},
+    {"kinematics", "body_poses"}, {"sensing", "inertial_sensor"},  {"touch", "push_sensor"}};
+constexpr Slot kWheeledSlots[] = {
+    {"actuation", "tracking_servo"}, {"motion", "wheeled_kinematics"}, {"collision", "primitives", kCoarserShapes},
+    {"kinematics", "body_poses"},    {"sensing", "inertial_sensor"},   {"touch", "push_sensor"}};
 constexpr Slot kMultibodySlots[] = {{"electronics", "servo_controller"},
                                     {"velocities", "tree_motion"},
                                     {"actuation", "position_servo", kMotors},
@@ -53,13 +54,18 @@ constexpr Slot kSimplifiedSlots[] = {{"velocities", "tree_motion"},
 
 constexpr LevelSlots kLevels[] = {{"kinematic", "kinematic_walking", kKinematicSlots, 0.01},
                                   {"oracle", "kinematic_walking", kKinematicSlots, 0.01},
+                                  {"kinematic", "wheeled_kinematics", kWheeledSlots, 0, {}, true},
+                                  {"oracle", "wheeled_kinematics", kWheeledSlots, 0, {}, true},
                                   {"fast", "simplified_dynamics", kSimplifiedSlots, 0},
                                   {"full", "multibody_dynamics", kMultibodySlots, 0, kJointForces},
                                   {"full", "composite_body_dynamics", kMultibodySlots, 0, kJointForces}};
 
 }  // namespace
 
-const LevelSlots& levelNamed(std::string_view name) {
+const LevelSlots& levelNamed(std::string_view name, bool on_wheels) {
+  const auto own = std::find_if(std::begin(kLevels), std::end(kLevels),
+                                [&](const LevelSlots& l) { return l.name == name && l.on_wheels == on_wheels; });
+  if (own != std::end(kLevels)) return *own;
   const auto found =
       std::find_if(std::begin(kLevels), std::end(kLevels), [&](const LevelSlots& l) { return l.name == name; });
   return found == std::end(kLevels) ? kLevels[0] : *found;

@@ -18,10 +18,11 @@ struct LevelSlots {
   std::span<const Slot> slots;
   double period;                                ///< [s]; 0: every frame
   std::span<const std::string_view> further{};  ///< modules outside the slots that need this level
+  bool on_wheels = false;                       ///< for robots that stand on wheels
 };
 
-/// The first level of that name; kinematic where there is none.
-const LevelSlots& levelNamed(std::string_view name);
+/// The first level of that name, for robots on wheels one of theirs where there is one; kinematic where there is none.
+const LevelSlots& levelNamed(std::string_view name, bool on_wheels = false);
 /// The level that a motion belongs to; `usual` where it belongs to none.
 const LevelSlots& levelOfMotion(std::string_view motion, std::string_view usual);
 /// Whether the level's slot is known to take the module; any slot takes the empty name.

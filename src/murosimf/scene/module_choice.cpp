@@ -214,8 +214,8 @@ void addFocus(const RobotSettings& robot, MotionPlan& plan, Diagnostics& diagnos
 
 }  // namespace
 
-MotionPlan motionPlanOf(const RobotSettings& robot, Diagnostics& diagnostics) {
-  const std::string usual(levelNamed(*robot.level).motion);
+MotionPlan motionPlanOf(const RobotSettings& robot, Diagnostics& diagnostics, bool on_wheels) {
+  const std::string usual(levelNamed(*robot.level, on_wheels).motion);
   const ModuleChoice* choice = choiceFor(robot, "motion");
   MotionPlan plan =
       readMotionPlan(choice == nullptr ? Located<std::string>{} : choice->module, usual, robot.path(), diagnostics);

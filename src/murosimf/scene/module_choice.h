@@ -10,8 +10,8 @@
 
 namespace murosimf {
 
-/// Which motion the robot has from when on.
-MotionPlan motionPlanOf(const RobotSettings& robot, Diagnostics& diagnostics);
+/// Which motion the robot has from when on. What its level brings depends on whether it stands on wheels.
+MotionPlan motionPlanOf(const RobotSettings& robot, Diagnostics& diagnostics, bool on_wheels = false);
 /// The robot's modules at all levels of detail of its plan, with their parameters; the assembly is the caller's to fill
 /// in. Reports slots that none of its levels has, modules in the place of others, and phases, which modules have none
 /// of.
