@@ -26,8 +26,8 @@ ControlLoop::ControlLoop(std::vector<ControlledRobot> robots, const SceneView& v
   bool moving = false;  // some camera's picture needs motions
   for (ControlledRobot& robot : robots) {
     checkCameras(robot);
-    for (std::size_t i = 0; i < robot.cameraCount(); ++i) {
-      const MountedCamera* camera = robot.camera(i);
+    for (std::size_t i = 0; i < robot.eyeCount(); ++i) {
+      const MountedCamera* camera = robot.eye(i);
       if (camera == nullptr) continue;
       cameras += robot.program == nullptr ? 0 : 1;
       moving = moving || camera->needsMotion();
@@ -45,13 +45,12 @@ ControlLoop::ControlLoop(std::vector<ControlledRobot> robots, const SceneView& v
 ControlLoop::~ControlLoop() { pool_->wait(); }
 
 void ControlLoop::checkCameras(const ControlledRobot& robot) const {
-  for (std::size_t i = 0; i < robot.cameraCount(); ++i) {
-    const MountedCamera* camera = robot.camera(i);
+  for (std::size_t i = 0; i < robot.eyeCount(); ++i) {
+    const MountedCamera* camera = robot.eye(i);
     if (camera != nullptr && camera->period() < static_cast<double>(timing_.period)) {
-      throw std::invalid_argument(
-          fmt::format("a camera of {} takes a picture every {} frames; expected at least {}, "
-                      "the control period",
-                      robot.port.description().model, camera->period(), timing_.period));
+      throw std::invalid_argument(fmt::format("{} takes a {} every {} frames; expected at least {}, the control period",
+                                              camera->path(), i < robot.cameraCount() ? "picture" : "scan",
+                                              camera->period(), timing_.period));
     }
   }
 }
@@ -111,7 +110,7 @@ void ControlLoop::takePictures(long frame) {
   for (Runner* runner : programmed_) {
     if (!runner->runs()) continue;
     for (std::size_t i = 0; i < runner->waiting.size(); ++i) {
-      const MountedCamera* camera = runner->controlled.camera(i);
+      const MountedCamera* camera = runner->controlled.eye(i);
       if (camera == nullptr || !camera->isDue(frame)) continue;
       Exposure& exposure = runner->waiting[i];
       if (exposure.snapshot != kNoSnapshot) snapshots_->release(exposure.snapshot);
@@ -156,13 +155,13 @@ void ControlLoop::orderPictures() {
     for (std::size_t i = 0; i < runner->exposures.size(); ++i) {
       const Exposure& exposure = runner->exposures[i];
       if (exposure.snapshot == kNoSnapshot) continue;
-      runner->controlled.camera(i)->order(snapshots_->scene(exposure.snapshot), exposure.place, exposure.frame);
+      runner->controlled.eye(i)->order(snapshots_->scene(exposure.snapshot), exposure.place, exposure.frame);
     }
   }
   for (Runner* runner : programmed_) {
     if (!runner->runs() || runner->answered) continue;
     for (std::size_t i = 0; i < runner->exposures.size(); ++i)
-      if (runner->exposures[i].snapshot != kNoSnapshot) runner->controlled.camera(i)->start();
+      if (runner->exposures[i].snapshot != kNoSnapshot) runner->controlled.eye(i)->start();
   }
 }
 
@@ -237,8 +236,8 @@ void ControlLoop::archive(StateArchive& archive) {
     archive(r.failed, fault);
     r.fault = r.failed ? std::optional(fault) : std::nullopt;
     if (r.runs()) r.controlled.program->archive(archive);
-    for (std::size_t i = 0; i < r.controlled.cameraCount(); ++i)
-      if (MountedCamera* camera = r.controlled.camera(i)) archive(*camera);
+    for (std::size_t i = 0; i < r.controlled.eyeCount(); ++i)
+      if (MountedCamera* camera = r.controlled.eye(i)) archive(*camera);
     if (r.controlled.localisation != nullptr) archive(*r.controlled.localisation);
   }
   snapshots_->archive(archive);

@@ -4,7 +4,7 @@
 ///
 /// At the end of a frame in which the control period ends, each robot's sensors are read, and one task per robot
 /// renders the pictures taken since and steps its control software, on other threads, while physics goes on. Pictures,
-/// and what cameras of level "oracle" tell in their place,
+/// what cameras of level "oracle" tell in their place, and scans of range sensors
 /// show the world as it was at the end of the frame in which their camera was due. Commands computed from the sensor
 /// frame of time t act at t + delay:
 ///   simulated clock   never earlier, never later: the frame waits for tasks that are not ready;
@@ -25,6 +25,7 @@
 #include "murosimf/control/snapshot_shelf.h"
 #include "murosimf/modules/camera/oracle_camera.h"
 #include "murosimf/modules/camera/robot_camera.h"
+#include "murosimf/modules/sensing/range_sensor.h"
 
 namespace murosimf {
 
@@ -35,10 +36,14 @@ struct ControlledRobot {
   std::unique_ptr<client::ControlSoftware> program;   ///< null: nobody; the joints keep their positions
   std::vector<std::unique_ptr<OracleCamera>> oracles = {};  ///< as cameras, which is null where one stands here
   std::unique_ptr<PoseOracle> localisation = nullptr;       ///< null: nobody tells where robots stand
+  std::vector<std::unique_ptr<RangeSensor>> ranges = {};    ///< in the order of the description
 
   std::size_t cameraCount() const { return std::max(cameras.size(), oracles.size()); }
   /// The camera with this number, whatever its level of detail; null: it is off.
   MountedCamera* camera(std::size_t i) const;
+  /// All that looks at snapshots: cameras, then range sensors.
+  std::size_t eyeCount() const { return cameraCount() + ranges.size(); }
+  MountedCamera* eye(std::size_t i) const { return i < cameraCount() ? camera(i) : ranges[i - cameraCount()].get(); }
 };
 
 /// Somebody who compares what control software believes with the truth. Index: the robot's in ControlLoop.
@@ -114,6 +119,7 @@ class ControlLoop {
   void takePictures(long frame);
   void deliverPicture(Runner& runner, std::size_t camera);
   void deliverSights(Runner& runner, std::size_t camera);
+  void deliverScans(Runner& runner);
   void collect(Runner& runner, long next_frame);
   void deliverMessages();
   void orderPictures();

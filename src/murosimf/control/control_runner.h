@@ -29,7 +29,7 @@ struct ControlLoop::Runner {
   client::GameInfo game;
   std::vector<client::TeamMessage> inbox;  // one place a robot: the last message since the last sensor frame
   client::TeamMessage outbox;              // of the last answer, until it is delivered
-  std::vector<Exposure> waiting;           // one place a camera
+  std::vector<Exposure> waiting;           // one place a camera or range sensor
   CommandQueue pending;
   bool answered = false;  // the last task's commands have not been collected yet
   bool failed = false;
@@ -39,11 +39,12 @@ struct ControlLoop::Runner {
   ControlledRobot controlled;
   long asked = 0;  // frame of the last sensor frame
   client::SensorFrame sensors;
-  std::vector<Exposure> exposures;  // of this sensor frame, one place a camera
+  std::vector<Exposure> exposures;  // of this sensor frame, one place a camera or range sensor
   std::vector<client::TeamMessage> messages;
   std::vector<client::CameraPicture> pictures;
   std::vector<std::array<std::vector<client::SeenThing>, kSightKinds>> things;  // of each camera
   std::vector<client::CameraSights> sights;
+  std::vector<client::RangeScan> scans;
   std::vector<client::ToldPose> mate_poses;
   client::CommandFrame commands;
   std::optional<std::string> fault;  // what the program threw
@@ -53,7 +54,7 @@ struct ControlLoop::Runner {
   Runner(int i, int robots, int capacity, ControlledRobot robot)
       : index(i),
         inbox(static_cast<std::size_t>(robots)),
-        waiting(robot.cameraCount()),
+        waiting(robot.eyeCount()),
         pending(capacity, robot.port.emptyCommands()),
         controlled(std::move(robot)),
         exposures(waiting.size()),
@@ -62,6 +63,7 @@ struct ControlLoop::Runner {
     messages.reserve(inbox.size());
     pictures.reserve(waiting.size());
     sights.reserve(waiting.size() * kSightKinds);
+    scans.reserve(controlled.ranges.size());
     mate_poses.reserve(inbox.size());
   }
   bool runs() const { return controlled.program != nullptr && !failed; }

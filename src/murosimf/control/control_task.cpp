@@ -58,13 +58,14 @@ void ControlLoop::render(Runner& runner) {
   runner.sights.clear();
   for (std::size_t i = 0; i < runner.exposures.size(); ++i) {
     if (runner.exposures[i].snapshot == kNoSnapshot) continue;
-    runner.controlled.camera(i)->look();
-    ++runner.counts.pictures;
+    runner.controlled.eye(i)->look();
+    if (i < runner.controlled.cameraCount()) ++runner.counts.pictures;
   }
-  for (std::size_t i = 0; i < runner.exposures.size(); ++i) {
+  for (std::size_t i = 0; i < runner.controlled.cameraCount(); ++i) {
     deliverPicture(runner, i);
     deliverSights(runner, i);
   }
+  deliverScans(runner);
   runner.counts.picture_seconds += secondsSince(start);
 }
 
@@ -95,10 +96,20 @@ void ControlLoop::deliverSights(Runner& runner, std::size_t camera) {
   }
 }
 
+void ControlLoop::deliverScans(Runner& runner) {
+  runner.scans.clear();
+  const auto& sensors = runner.controlled.ranges;
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    if (sensors[i]->deliver(runner.asked))
+      runner.scans.push_back({static_cast<int>(i), sensors[i]->time(), sensors[i]->ranges()});
+  }
+}
+
 void ControlLoop::stepProgram(Runner& runner) {
   const auto start = std::chrono::steady_clock::now();
   runner.sensors.pictures = runner.pictures;
   runner.sensors.sights = runner.sights;
+  runner.sensors.scans = runner.scans;
   runner.commands.joints.resize(runner.controlled.port.description().joints.size());
   runner.fault = faultOf([&] { runner.controlled.program->step(runner.sensors, runner.commands); });
   runner.counts.program_seconds += secondsSince(start);

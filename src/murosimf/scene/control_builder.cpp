@@ -117,6 +117,17 @@ std::unique_ptr<RobotCamera> WorldBuilder::makeCamera(const Outfit& outfit, cons
   }
 }
 
+void WorldBuilder::addRangeSensors(const Outfit& outfit, const SceneView& view, ControlledRobot& robot) const {
+  for (const ObjectId sensor : world_->members(outfit.id, subset::kRangeSensors)) {
+    try {
+      robot.ranges.push_back(std::make_unique<RangeSensor>(*world_, view, outfit.id, sensor, *scene_.simulation.seed,
+                                                           *scene_.simulation.frame));
+    } catch (const std::invalid_argument& problem) {
+      diagnostics_.error(world_->findEntry(sensor, kRangeModel.name)->where, problem.what());
+    }
+  }
+}
+
 std::unique_ptr<PoseOracle> WorldBuilder::makeLocalisation(const Outfit& outfit, long control_period) const {
   if (!outfit.localisation) return nullptr;
   std::vector<ToldRobot> told{{outfit.id, outfit.robot->number}};
@@ -140,6 +151,7 @@ void WorldBuilder::attachControl(Simulation& simulation) const {
     ControlledRobot& robot = controlled.emplace_back(
         ControlledRobot{RobotPort(simulation.linked(), outfit.id, describe(*outfit.robot)), {}, nullptr});
     addCameras(outfit, simulation.view(), robot);
+    addRangeSensors(outfit, simulation.view(), robot);
     robot.localisation = makeLocalisation(outfit, timing.period);
     if (outfit.program != nullptr) robot.program = outfit.program();
   }

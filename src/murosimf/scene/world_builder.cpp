@@ -11,6 +11,7 @@
 #include "murosimf/modules/sensing/sensor_errors.h"
 #include "murosimf/robot/urdf_reader.h"
 #include "murosimf/scene/contact_builder.h"
+#include "murosimf/scene/mount_description.h"
 #include "murosimf/scene/obstacle_builder.h"
 #include "murosimf/simulation/focus_rules.h"
 #include "murosimf/world/vocabulary.h"
@@ -19,6 +20,16 @@ namespace murosimf {
 
 namespace {
 const std::string kBallSurface = "ball";
+
+/// Those that no module declares: the builder's own, and range sensors'.
+std::vector<std::string> constantsOfOthers() {
+  std::vector<std::string> names;
+  for (const Constant<double>& property : {kMass, kBlockingRadius, kRangePeriod, kRangePhase, kRangeOffset, kRangeBias,
+                                           kRangeNoise, kRangeNoiseShare, kRangeQuantum, kRangeDelay})
+    names.emplace_back(property.name);
+  names.emplace_back(kServoFile.name);
+  return names;
+}
 }  // namespace
 
 Colour markColour(const std::string& team) {
@@ -169,7 +180,7 @@ std::unique_ptr<Simulation> WorldBuilder::link(const ModuleRegistry& registry, c
   makers_ = makers;
   addContactRules(*world_, scene_, participants_, diagnostics_);
   Linker linker(*world_, registry, {*scene_.simulation.frame, *scene_.simulation.lanes});
-  linker.alsoKnows({std::string(kMass.name), std::string(kBlockingRadius.name), std::string(kServoFile.name)});
+  linker.alsoKnows(constantsOfOthers());
   const bool chosen = assignModules(linker, registry);
   for (Outfit& outfit : outfits_) {
     chooseCameras(outfit);
@@ -202,7 +213,8 @@ std::unique_ptr<Simulation> WorldBuilder::joinAll(std::unique_ptr<LinkedWorld> l
 bool WorldBuilder::assignModules(Linker& linker, const ModuleRegistry& registry) {
   const int before = diagnostics_.errorCount();
   for (Outfit& outfit : outfits_) {
-    outfit.plan = motionPlanOf(*outfit.robot, diagnostics_);
+    const bool on_wheels = !outfit.model->wheels.empty() && outfit.model->soles.empty();
+    outfit.plan = motionPlanOf(*outfit.robot, diagnostics_, on_wheels);
     assign(linker, registry, outfit.id, *outfit.robot, outfit.plan);
   }
   for (const Movable& movable : movables_)
@@ -292,6 +304,7 @@ client::RobotDescription WorldBuilder::describe(const RobotSettings& robot) cons
   }
   for (const TouchSensorMount& sensor : model.touch_sensors) d.touch_sensors.push_back(sensor.name);
   for (const ForceSensorMount& sensor : model.force_sensors) d.force_sensors.push_back(sensor.name);
+  describeMounts(*world_, world_->find(robot.path()), model, d);
   d.field = fieldDescription(scene_);
   const bool attacks_plus = *(robot.team == "red" ? scene_.red : scene_.blue).attacks_positive_x;
   d.course = courseDescription(scene_, attacks_plus);

@@ -81,6 +81,7 @@ class WorldBuilder {
   void chooseProgram(Outfit& outfit, const ControlPrograms& programs);
   std::vector<Landmark> allLandmarks() const;
   void addCameras(const Outfit& outfit, const SceneView& view, ControlledRobot& robot) const;
+  void addRangeSensors(const Outfit& outfit, const SceneView& view, ControlledRobot& robot) const;
   std::unique_ptr<RobotCamera> makeCamera(const Outfit& outfit, const SceneView& view, std::size_t number) const;
   std::unique_ptr<PoseOracle> makeLocalisation(const Outfit& outfit, long control_period) const;
   void attachControl(Simulation& simulation) const;

@@ -11,16 +11,16 @@
 namespace murosimf {
 
 MountedCamera::MountedCamera(const World& world, const SceneView& view, ObjectId robot, ObjectId camera, double period,
-                             double phase, double frame_length)
+                             double phase, double frame_length, const Constant<MountPlace>& mount)
     : robot_(robot),
       object_(camera),
       path_(world.path(camera)),
       period_(period / frame_length),
       phase_(phase / frame_length),
       frame_length_(frame_length) {
-  const MountPlace* place = world.findShared(camera, kCameraPlace);
-  if (place == nullptr) throw std::invalid_argument(fmt::format("camera {} has no camera_place", path_));
-  if (!(period_ >= 1)) throw std::invalid_argument(fmt::format("camera {} has no period of at least one frame", path_));
+  const MountPlace* place = world.findShared(camera, mount);
+  if (place == nullptr) throw std::invalid_argument(fmt::format("{} has no {}", path_, mount.name));
+  if (!(period_ >= 1)) throw std::invalid_argument(fmt::format("{} has no period of at least one frame", path_));
   row_ = place->row;
   X_BC_ = place->X_RM;
   if (const std::vector<int>* rows = world.findShared(camera, kHiddenRows)) {

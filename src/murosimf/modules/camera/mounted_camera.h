@@ -1,6 +1,7 @@
 #pragma once
 
-/// @file What all levels of detail of a robot's camera have in common: where it sits, and when it looks.
+/// @file What all levels of detail of a robot's camera have in common, and its range sensors with them: where it sits,
+/// and when it looks.
 
 #include <cstdint>
 #include <string>
@@ -9,6 +10,7 @@
 #include "murosimf/algorithms/light/shutter.h"
 #include "murosimf/math/state_archive.h"
 #include "murosimf/modules/camera/scene_view.h"
+#include "murosimf/world/vocabulary.h"
 
 namespace murosimf {
 
@@ -17,7 +19,7 @@ class MountedCamera {
   /// World and view are looked at here alone. Period and phase in s.
   /// @throws std::invalid_argument when the object lacks a mount, or when the period is below one frame.
   MountedCamera(const World& world, const SceneView& view, ObjectId robot, ObjectId camera, double period, double phase,
-                double frame_length);
+                double frame_length, const Constant<MountPlace>& mount = kCameraPlace);
   MountedCamera(const MountedCamera&) = delete;
   MountedCamera& operator=(const MountedCamera&) = delete;
   virtual ~MountedCamera() = default;
