@@ -1,5 +1,6 @@
 #include "game/game.h"
 
+#include "cart/cart.h"
 #include "murosimf/modules/camera/gl/gl_picture_maker.h"
 #include "murosimf/scene/field_texture.h"
 #include "murosimf/soccer/field.h"
@@ -10,7 +11,8 @@
 namespace murosimf {
 
 ControlPrograms allPrograms() {
-  return {{"player", [] { return controllers::makePlayer(); }},
+  return {{"cart", [] { return controllers::cart::makeCart(); }},
+          {"player", [] { return controllers::makePlayer(); }},
           {"trotter", [] { return controllers::trotter::makeTrotter(); }}};
 }
 
