@@ -2,6 +2,10 @@
 
 #include "game/wheeled_robot.h"
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
 #include "murosimf/algorithms/gravity.h"
 #include "murosimf/simulation/checkpoint.h"
 
@@ -254,6 +258,33 @@ TEST(WheeledLevels, ARobotWithoutWheelsIsRefused) {
   for (const std::string& words : ks21.complaints())
     told = told || (startsWith(words, "4:10:") && words.find("needs property wheels") != std::string::npos);
   EXPECT_TRUE(told);
+}
+
+/// What is said of duo with some words of its file exchanged for others.
+std::string saidOfChanged(const std::string& words, const std::string& others) {
+  std::ifstream file(kRoot / "robots" / "duo.urdf");
+  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const std::size_t place = text.find(words);
+  EXPECT_NE(place, std::string::npos);
+  const std::filesystem::path changed = std::filesystem::temp_directory_path() / "murosimf_changed_duo.urdf";
+  std::ofstream(changed) << text.replace(place, words.size(), others);
+  BuiltWorld built(fmt::format("[robots.red.1]\nfile = \"{}\"\npose = [0, 0, 0]\n", changed.string()));
+  std::string said;
+  for (const std::string& line : built.complaints()) said += line + "\n";
+  std::filesystem::remove(changed);
+  return said;
+}
+
+TEST(WheeledLevels, RobotsThatCannotStandOnTheirWheelsAreRefused) {
+  EXPECT_NE(saidOfChanged("<origin xyz=\"-0.1 0 0.018\"/>", "<origin xyz=\"0.1 0 0.018\"/>")
+                .find("wheel 1 of the robot carries -"),
+            std::string::npos);
+  EXPECT_NE(saidOfChanged("<origin xyz=\"-0.1 0 0.018\"/>", "<origin xyz=\"-0.1 0 0.03\"/>")
+                .find("wheel 1 of the robot hangs 0.012 m above the ground"),
+            std::string::npos);
+  EXPECT_NE(saidOfChanged("<murosimf><castor name=\"castor\" friction=\"0.06\"/></murosimf>", "")
+                .find("the robot has 2 wheels and castors that stand in one line"),
+            std::string::npos);
 }
 
 TEST(WheeledLevels, ARobotOnWheelsDoesNotWalk) {

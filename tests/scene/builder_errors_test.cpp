@@ -22,7 +22,8 @@ void expectStarts(const Lines& said, const Lines& starts) {
 TEST(BuilderErrors, UnknownModule) {
   expectStarts(saidOf("[robots.red.1.motion]\nmodule = \"kinematic_waking\""),
                {"9:10: robots.red.1: unknown module \"kinematic_waking\" for motion; expected none or one of "
-                "kinematic_walking, multibody_dynamics, composite_body_dynamics, simplified_dynamics (did you mean "
+                "kinematic_walking, wheeled_kinematics, multibody_dynamics, composite_body_dynamics, "
+                "simplified_dynamics (did you mean "
                 "\"kinematic_walking\"?)"});
   const Lines said = saidOf("[robots.red.1.modules]\nwalker = {speed = 1}");
   expectStarts(said, {"9:1: robots.red.1: unknown module \"walker\"; expected one of ideal_servo, "});

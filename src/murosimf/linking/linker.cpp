@@ -248,13 +248,14 @@ void Linker::linkPasses(Assembly& representative, Batch& batch, Diagnostics& dia
     Links links(world_, batch, planned.declaration, planned.parameters);
     try {
       planned.module->link(links);
+      // Numbers in which the batch's robots differ are seen here alone.
+      for (int b = 0; b < batch.capacity(); ++b) planned.module->initialise(batch.block(b, nullptr));
     } catch (const std::invalid_argument& problem) {
       diagnostics.error(planned.where,
                         fmt::format("{}: module {}: {}", world_.path(representative.id), planned.name, problem.what()));
       continue;
     }
     if (auto* integrator = dynamic_cast<Integrator*>(planned.module.get())) integrator->use(evaluationOf(batch));
-    for (int b = 0; b < batch.capacity(); ++b) planned.module->initialise(batch.block(b, nullptr));
     batch.passes.push_back({std::move(planned.module), planned.name, planned.declaration.phase(), planned.period,
                             planned.period * options_.frame_length, true});
   }

@@ -176,8 +176,15 @@ void WheeledKinematics::weigh(const BlockMemory& block, int lane) const {
       .set({all.m, aboutCentre(all, centre).zz, centre.x, centre.y});
   const LoadPlane plane = loadPlane(spreadOf(wheels_), all.m * kGravity, centre.x, centre.y);
   const LaneValues<double> loads(numbersOf(block, arguments_.load, width_) + lane, width_);
-  for (std::size_t i = 0; i < wheels_.size(); ++i)
-    loads.set(max(plane.a + plane.b * wheels_[i].x + plane.c * wheels_[i].y, 0.0), static_cast<int>(i));
+  for (std::size_t i = 0; i < wheels_.size(); ++i) {
+    const double load = plane.a + plane.b * wheels_[i].x + plane.c * wheels_[i].y;
+    if (load < 0)
+      throw std::invalid_argument(
+          fmt::format("wheel {} of the robot carries {:.3g} N and would lift off: its centre of "
+                      "mass lies at ({:.3g}, {:.3g}) m; expected it between wheels and castors",
+                      i + 1, load, centre.x, centre.y));
+    loads.set(load, static_cast<int>(i));
+  }
 }
 
 void WheeledKinematics::adopt(const BlockMemory& one) const {

@@ -12,7 +12,7 @@
 ///                                                    a robot that slides on all wheels stops after v^2 / (2 mu g)
 ///                a push F below mu N                 creeps with F s_0 / (mu N) off what it was commanded
 ///            the last one beside what the drive resists: wheels hold their rates. Loads N are those of a rigid body on
-///            equal springs at rest, for three wheels and castors the statics; none is negative.
+///            equal springs at rest, for three wheels and castors the statics.
 /// Odometry   joint_position, which adds up the rates: angles of wheels.
 /// Step       Velocities look ahead (backward Euler): stable in long steps, order 1 in changes of slip. Places go along
 ///            the arc of the step's velocity: exact while it is constant.
@@ -27,7 +27,7 @@
 /// Adds       joint_position, joint_velocity, base_pose, base_velocity; pair_force, pair_touch, joints_yield (0: it
 ///            recoils as one body) and step_manner for the pair phase; wheel_load and wheel_slip of each wheel.
 /// Errors     no wheels; wheels that hang on other joints, whose axles are not level, or of which one hangs above the
-///            ground on which the others stand; all wheels in one line.
+///            ground on which the others stand; all wheels in one line; a centre of mass that would let one lift off.
 /// Cost       about 250 operations a wheel.
 /// Exchange   with any module that adds base_pose.
 

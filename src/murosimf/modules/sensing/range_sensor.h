@@ -14,7 +14,7 @@
 /// it
 ///            keeps the time at which it was taken.
 /// Needs      range_model, range_place, range_period, range_phase and what is wrong with its readings; hidden_rows.
-/// Cost       A scan of 181 rays in a game of 6 robots: see docs/wheeled_robots.md.
+/// Cost       some 5 us for 181 rays among 149 shapes, most of which spheres about them leave out.
 
 #include <span>
 #include <vector>
