@@ -17,6 +17,7 @@ struct RunArguments {
   std::string out, record, video;      ///< empty: as the scenario says
   std::string checkpoint, from;        ///< files; empty: none
   double checkpoint_time = -1;         ///< [s]; below 0: at the end
+  bool report_only = false;            ///< writes and prints nothing; the caller asks for the report
 };
 
 /// Plays a scenario and writes report, pictures and film.

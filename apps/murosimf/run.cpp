@@ -10,7 +10,6 @@
 #include "murosimf/game_report.h"
 #include "murosimf/scene/scenario_reader.h"
 #include "murosimf/simulation/checkpoint.h"
-#include "murosimf/simulation/live_line.h"
 #include "murosimf/simulation/overview.h"
 
 namespace murosimf {
@@ -35,9 +34,8 @@ Run::Run(const RunArguments& arguments, const Scene& scene, Diagnostics& diagnos
       simulation_(buildGame(scene, diagnostics)),
       directory_(arguments.out.empty() ? *scene.output.directory : arguments.out) {
   if (simulation_ == nullptr) return;
-  fmt::print(stderr, "{}", drawerText(*simulation_));
-  std::filesystem::create_directories(directory_);
-  addObservers();
+  watch_ = std::make_unique<GameObservers>(scene_, *simulation_);
+  if (!arguments_.report_only) addOutputs();
   if (*scene_.simulation.pace > 0) {
     pacer_ = std::make_unique<Pacer>(*scene_.simulation.pace, simulation_->frameLength());
   }
@@ -59,8 +57,9 @@ std::filesystem::path Run::output(const std::string& file) const {
   return from_command_line ? std::filesystem::path(file) : directory_ / file;
 }
 
-void Run::addObservers() {
-  watch_ = std::make_unique<GameObservers>(scene_, *simulation_);
+void Run::addOutputs() {
+  fmt::print(stderr, "{}", drawerText(*simulation_));
+  std::filesystem::create_directories(directory_);
   const std::string record = chosenFile(arguments_.record, *scene_.output.record);
   if (!record.empty()) {
     recorder_ = std::make_unique<Recorder>(output(record), *simulation_, scene_.file.string(), *scene_.simulation.seed);
@@ -89,23 +88,28 @@ void Run::step() {
   }
 }
 
-void Run::play() {
+bool Run::play(const std::function<bool()>& stop) {
   const long last_frame = std::lround(*scene_.simulation.duration / simulation_->frameLength());
   LiveLine line{LiveLine::Settings{}};
+  bool stopped = false;
   const double start = wallClock();
   start_time_ = simulation_->time();
   if (pacer_ != nullptr) pacer_->start(start_time_);
-  while (simulation_->frame() < last_frame && !watch_->finished()) {
+  while (!stopped && simulation_->frame() < last_frame && !watch_->finished()) {
     step();
     if (pacer_ != nullptr) pacer_->wait(simulation_->time());
     if (simulation_->frame() % 10 != 0) continue;
-    const double wall = wallClock() - start;
-    if (line.isDue(simulation_->time(), wall)) {
-      line.update(simulation_->time(), wall, simulation_->stages(), watch_->scoreText());
-    }
+    if (!arguments_.report_only) updateLine(line, wallClock() - start);
+    stopped = stop && stop();
   }
   simulation_->control()->finish();
   wall_seconds_ = wallClock() - start;
+  return !stopped;
+}
+
+void Run::updateLine(LiveLine& line, double wall_seconds) {
+  if (!line.isDue(simulation_->time(), wall_seconds)) return;
+  line.update(simulation_->time(), wall_seconds, simulation_->stages(), watch_->scoreText());
 }
 
 nlohmann::ordered_json Run::report() {

@@ -3,6 +3,7 @@
 /// @file One run of a scenario with everything that watches it.
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 #include "game/game.h"
@@ -10,6 +11,7 @@
 #include "murosimf/commands.h"
 #include "murosimf/report.h"
 #include "murosimf/simulation/film.h"
+#include "murosimf/simulation/live_line.h"
 #include "murosimf/simulation/pacer.h"
 #include "murosimf/simulation/recorder.h"
 
@@ -25,17 +27,21 @@ class Run {
   Run& operator=(const Run&) = delete;
 
   /// Plays to the end of the scenario's duration.
-  void play();
+  /// @param stop  asked every ten frames; the game ends there once it says so
+  /// @return false after it was stopped
+  bool play(const std::function<bool()>& stop = {});
   /// Writes report, pictures and checkpoint. @returns the lines to print
   std::string finish();
+  /// What goes into report.json, of the game as far as it was played.
+  nlohmann::ordered_json report();
   /// Whether the state of a robot was no number any more, which is a fault of ours or of the numbers that were chosen.
   bool anyFrozen() const { return !simulation_->guard().faults().empty(); }
 
  private:
-  void addObservers();
+  void addOutputs();
   void openFilm();
   void step();
-  nlohmann::ordered_json report();
+  void updateLine(LiveLine& line, double wall_seconds);
   std::filesystem::path output(const std::string& file) const;
 
   RunArguments arguments_;
