@@ -1,4 +1,4 @@
-# The command line program, the reference control software and the benchmarks.
+# The command line program, the reference control software, experiments and the benchmarks.
 
 # Control software is a client like any other: it sees the client side of control/ and math/, nothing of the simulator.
 file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/controllers/*.cpp")
@@ -26,12 +26,19 @@ if(TARGET murosimf_gl_cameras)
   target_link_libraries(murosimf_playing PUBLIC murosimf_gl_cameras)
 endif()
 
+# Many runs and what they tell together. It plays none itself: who uses it says how a run is played.
+file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/apps/experiment/*.cpp")
+add_library(murosimf_experiment STATIC ${sources})
+murosimf_flags(murosimf_experiment)
+target_include_directories(murosimf_experiment PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/apps>")
+target_link_libraries(murosimf_experiment PUBLIC murosimf_scene PRIVATE OpenSSL::Crypto)
+
 file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/apps/murosimf/*.cpp")
 if(sources)
   add_executable(murosimf_app ${sources})
   murosimf_flags(murosimf_app)
   target_compile_definitions(murosimf_app PRIVATE "MUROSIMF_VERSION=\"${PROJECT_VERSION}\"")
-  target_link_libraries(murosimf_app PRIVATE murosimf_playing CLI11::CLI11 spdlog::spdlog Threads::Threads)
+  target_link_libraries(murosimf_app PRIVATE murosimf_playing murosimf_experiment CLI11::CLI11 spdlog::spdlog Threads::Threads)
   set_target_properties(murosimf_app PROPERTIES OUTPUT_NAME murosimf RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}")
 endif()
 

@@ -1,10 +1,11 @@
-// The command line: murosimf run | render | check | modules | compare | levels.
+// The command line: murosimf run | sweep | render | check | modules | compare | levels.
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 
 #include "murosimf/commands.h"
+#include "murosimf/sweep_command.h"
 
 namespace {
 
@@ -61,6 +62,8 @@ int run(int argc, char** argv) {
   addRun(app, run_arguments);
   RenderArguments render_arguments;
   addRender(app, render_arguments);
+  SweepArguments sweep_arguments;
+  const CLI::App* sweeping = addSweep(app, sweep_arguments);
 
   std::vector<std::string> files;
   CLI::App* check = app.add_subcommand(
@@ -88,6 +91,7 @@ int run(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : kWrongInput;
   }
   if (app.got_subcommand("render")) return renderPictures(render_arguments);
+  if (sweeping->parsed()) return sweep(sweep_arguments);
   if (check->parsed()) return checkFiles(files);
   if (modules->parsed()) return printModules(scenario);
   if (levels->parsed()) return printLevels(levels_arguments);
