@@ -38,7 +38,8 @@ struct BatchOutcome {
   bool interrupted = false;
 };
 
-inline constexpr int kMostKills = 10;
+/// So many that somebody who kills at random as often as a game ends makes no run be given up: 0.63^30 = 10^-6.
+inline constexpr int kMostKills = 30;
 
 /// Call in a process of one thread. Prints a line a run to stderr.
 /// @throws std::runtime_error where results cannot be written or no process can be started
