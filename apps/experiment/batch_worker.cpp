@@ -2,17 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <ctime>
+#include <chrono>
 #include <exception>
 
 namespace murosimf {
 
 namespace {
 
-double secondsOf(clockid_t clock) {
-  timespec time{};
-  clock_gettime(clock, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+double wallClock() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 /// A result found on the disk after all, written by another machine since the batch began.
@@ -21,10 +19,6 @@ bool isSettledBy(const RunResult& result, const BatchSettings& settings) {
 }
 
 }  // namespace
-
-CostClock::CostClock() : cpu_start_(secondsOf(CLOCK_PROCESS_CPUTIME_ID)), wall_start_(secondsOf(CLOCK_MONOTONIC)) {}
-double CostClock::cpuSeconds() const { return secondsOf(CLOCK_PROCESS_CPUTIME_ID) - cpu_start_; }
-double CostClock::wallSeconds() const { return secondsOf(CLOCK_MONOTONIC) - wall_start_; }
 
 RunState stateOf(const RunResult& result) { return result.failure.empty() ? RunState::kDone : RunState::kFailed; }
 
@@ -54,17 +48,17 @@ RunResult BatchWorker::played(const BatchRun& run, const std::function<bool()>& 
   RunResult result;
   result.run = run.settings;
   result.program = settings_.program;
-  const CostClock cost;
+  const double start = wallClock();
   try {
     PlayedRun game = play_(run.settings, stop);
     stopped = game.stopped;
     result.failure = game.failure;
+    result.cpu_seconds = game.cpu_seconds;
     result.report = withoutClocks(std::move(game.report));
   } catch (const std::exception& fault) {
     result.failure = fault.what();
   }
-  result.cpu_seconds = cost.cpuSeconds();
-  result.wall_seconds = cost.wallSeconds();
+  result.wall_seconds = wallClock() - start;
   return result;
 }
 

@@ -7,17 +7,6 @@
 
 namespace murosimf {
 
-/// CPU time of this process and wall time since construction [s].
-class CostClock {
- public:
-  CostClock();
-  double cpuSeconds() const;
-  double wallSeconds() const;
-
- private:
-  double cpu_start_, wall_start_;
-};
-
 class BatchWorker {
  public:
   BatchWorker(const std::vector<BatchRun>& runs, const ResultStore& store, const PlayRun& play,

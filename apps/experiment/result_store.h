@@ -21,7 +21,8 @@ struct RunResult {
   std::string failure;  ///< empty: none
   /// report.json without what depends on clocks, paths and the number of threads: the same whoever played.
   nlohmann::ordered_json report;
-  double cpu_seconds = 0, wall_seconds = 0;  ///< of building the world and of all frames; differ from time to time
+  double cpu_seconds = 0;   ///< of all frames, all threads together; differs a little from time to time
+  double wall_seconds = 0;  ///< of building the world and of all frames; differs much
 };
 
 /// The report without its paths, clocks and threads.

@@ -23,6 +23,7 @@ std::vector<std::string> allOverrides(const RunSettings& run);
 struct PlayedRun {
   nlohmann::ordered_json report;  ///< as in report.json
   std::string failure;            ///< why the report is not to be trusted, or missing; empty: all went well
+  double cpu_seconds = 0;         ///< of all frames, all threads together
   bool stopped = false;           ///< the game was not played to its end, because the caller said so
 };
 

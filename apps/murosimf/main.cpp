@@ -1,4 +1,4 @@
-// The command line: murosimf run | sweep | render | check | modules | compare | levels.
+// The command line: murosimf run | sweep | tailor | render | check | modules | compare | levels.
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -6,6 +6,7 @@
 
 #include "murosimf/commands.h"
 #include "murosimf/sweep_command.h"
+#include "murosimf/tailor_command.h"
 
 namespace {
 
@@ -64,6 +65,8 @@ int run(int argc, char** argv) {
   addRender(app, render_arguments);
   SweepArguments sweep_arguments;
   const CLI::App* sweeping = addSweep(app, sweep_arguments);
+  TailorArguments tailor_arguments;
+  const CLI::App* tailoring = addTailor(app, tailor_arguments);
 
   std::vector<std::string> files;
   CLI::App* check = app.add_subcommand(
@@ -92,6 +95,7 @@ int run(int argc, char** argv) {
   }
   if (app.got_subcommand("render")) return renderPictures(render_arguments);
   if (sweeping->parsed()) return sweep(sweep_arguments);
+  if (tailoring->parsed()) return tailor(tailor_arguments);
   if (check->parsed()) return checkFiles(files);
   if (modules->parsed()) return printModules(scenario);
   if (levels->parsed()) return printLevels(levels_arguments);

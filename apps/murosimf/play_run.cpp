@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <ctime>
 #include <stdexcept>
 
 #include "murosimf/run.h"
@@ -15,6 +16,13 @@ namespace {
   std::string text = diagnostics.text();
   while (!text.empty() && text.back() == '\n') text.pop_back();
   throw std::runtime_error(text);
+}
+
+/// Of all threads of this process.
+double processorSeconds() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 /// Frozen robots and programs that failed: the game went on, but not as the scenario says.
@@ -40,7 +48,9 @@ PlayedRun playRun(const RunSettings& run, int threads, const std::function<bool(
   Run game(arguments, *scene, diagnostics);
   if (diagnostics.hasErrors()) refuse(diagnostics);
   PlayedRun played;
+  const double before = processorSeconds();
   played.stopped = !game.play(stop);
+  played.cpu_seconds = processorSeconds() - before;
   played.report = game.report();
   played.failure = failureOf(played.report, game.anyFrozen());
   return played;

@@ -29,7 +29,9 @@ std::vector<BatchRun> numberedRuns(int count) {
 }
 
 /// A game that only says its seed.
-PlayedRun playSeed(const RunSettings& run, const std::function<bool()>&) { return {{{"seed", run.seed}}, "", false}; }
+PlayedRun playSeed(const RunSettings& run, const std::function<bool()>&) {
+  return {{{"seed", run.seed}}, "", 0, false};
+}
 
 BatchSettings quietly(int workers) {
   BatchSettings settings;
@@ -80,7 +82,7 @@ TEST(Batches, TellFailuresAndCrashesAndGoOn) {
     if (run.seed == 2) throw std::runtime_error("the ball is lost");
     if (run.seed == 4) std::abort();
     if (run.seed == 5) raise(SIGSEGV);
-    if (run.seed == 6) return {{{"seed", 6}}, "a robot was frozen", false};
+    if (run.seed == 6) return {{{"seed", 6}}, "a robot was frozen", 0, false};
     return playSeed(run, stop);
   };
   const BatchOutcome outcome = playBatch(numberedRuns(8), store, play, quietly(2));
@@ -149,7 +151,7 @@ TEST(Batches, EndAtASignalAndGoOnNextTime) {
     if (run.seed != 1) return playSeed(run, stop);
     kill(parent, SIGTERM);
     while (!stop()) usleep(1000);
-    return {{}, "", true};
+    return {{}, "", 0, true};
   };
   const BatchOutcome outcome = playBatch(numberedRuns(3), store, play, quietly(1));
   EXPECT_TRUE(outcome.interrupted);
