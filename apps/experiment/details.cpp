@@ -73,7 +73,10 @@ class DetailFinder {
   bool add(const RobotSettings& robot, const std::string& path, std::vector<std::string> choices) {
     const std::string rest = path.substr(robot.path().size());
     const auto names = [&](const std::string& key) {
-      const auto isOrHolds = [&](const std::string& whole) { return whole == key || whole.starts_with(key + "."); };
+      // One inside the other either way: a detail's choice would take parameters away that the user has set.
+      const auto isOrHolds = [&](const std::string& own) {
+        return own == key || own.starts_with(key + ".") || key.starts_with(own + ".");
+      };
       return isOrHolds(path) || isOrHolds("robots.all" + rest) || isOrHolds("teams." + robot.team + rest);
     };
     if (!isAsked(path) || std::any_of(fixed_.begin(), fixed_.end(), names)) return false;
