@@ -41,6 +41,17 @@ struct LevelsArguments {
 /// Walks at every level of detail and prints a table: way, torques, cost of a robot a simulated second.
 int printLevels(const LevelsArguments& arguments);
 
+struct TableArguments {
+  std::vector<std::string> rows;  ///< names; none: all
+  std::vector<int> threads{1};
+  std::string isa = "auto";  ///< avx2, avx512, or the widest
+  std::string json;          ///< file; empty: none
+  int robots = 0;            ///< tries this number alone; 0: looks for the largest
+  bool quick = false;        ///< a try-out: short runs, large steps
+};
+/// Prints the largest numbers of walking robots that this machine simulates in real time.
+int printTable(const TableArguments& arguments);
+
 /// Prints every mistake in scenarios and robot files.
 int checkFiles(const std::vector<std::string>& files);
 /// Prints modules and properties, or the schedule of a scenario.

@@ -1,8 +1,10 @@
-// The command line: murosimf run | sweep | tailor | render | check | modules | compare | levels.
+// The command line: murosimf run | sweep | tailor | render | check | modules | compare | levels | bench.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <thread>
 
 #include "murosimf/commands.h"
 #include "murosimf/sweep_command.h"
@@ -55,6 +57,41 @@ void addRender(CLI::App& app, RenderArguments& render) {
   });
 }
 
+/// "all" is as many as the machine has.
+std::vector<int> threadCounts(const std::vector<std::string>& words) {
+  const int all = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  std::vector<int> counts;
+  for (const std::string& word : words) {
+    const int count = word == "all" ? all : std::stoi(word);
+    if (std::find(counts.begin(), counts.end(), count) == counts.end()) counts.push_back(count);
+  }
+  return counts;
+}
+
+void addBench(CLI::App& app, TableArguments& table) {
+  CLI::App* bench = app.add_subcommand("bench", "measure how much this machine simulates in real time");
+  bench->require_subcommand(1);
+  CLI::App* command = bench->add_subcommand("table", "the largest number of walking robots in real time, row by row");
+  command->add_option("--rows", table.rows, "names of rows, separated by commas; default: all")->delimiter(',');
+  const auto counts = [&table](const std::vector<std::string>& words) { table.threads = threadCounts(words); };
+  const CLI::Validator count(
+      [](std::string& word) {
+        const bool number = !word.empty() && word.size() < 4 && word.find_first_not_of("0123456789") == word.npos;
+        return word == "all" || (number && std::stoi(word) > 0) ? std::string{}
+                                                                : "expected 1 to 999 or all, found " + word;
+      },
+      "1..999|all");
+  command->add_option_function<std::vector<std::string>>("--threads", counts, "numbers of threads; default: 1,all")
+      ->delimiter(',')
+      ->check(count);
+  command->add_option("--isa", table.isa, "registers: avx2, avx512 or auto, the widest")
+      ->check(CLI::IsMember({"avx2", "avx512", "auto"}));
+  command->add_option("--json", table.json, "write rows to this file");
+  command->add_option("--robots", table.robots, "try this number alone; default: look for the largest")
+      ->check(CLI::Range(1, 1000000));
+  command->add_flag("--quick", table.quick, "a try-out of seconds: short runs, large steps");
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"murosimf: simulates teams of humanoid robots to test their control software"};
   app.set_version_flag("--version", MUROSIMF_VERSION);
@@ -88,6 +125,10 @@ int run(int argc, char** argv) {
   levels->add_option("--seconds", levels_arguments.seconds, "length of the walk")->check(CLI::Range(0.1, 1e4));
   levels->add_option("--speed", levels_arguments.speed, "commanded [m/s]")->check(CLI::Range(0.0, 0.3));
 
+  TableArguments table_arguments;
+  table_arguments.threads = threadCounts({"1", "all"});
+  addBench(app, table_arguments);
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -96,6 +137,7 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("render")) return renderPictures(render_arguments);
   if (sweeping->parsed()) return sweep(sweep_arguments);
   if (tailoring->parsed()) return tailor(tailor_arguments);
+  if (app.got_subcommand("bench")) return printTable(table_arguments);
   if (check->parsed()) return checkFiles(files);
   if (modules->parsed()) return printModules(scenario);
   if (levels->parsed()) return printLevels(levels_arguments);

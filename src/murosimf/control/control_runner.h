@@ -27,7 +27,8 @@ struct Exposure {
 struct ControlLoop::Runner {
   int index = 0;
   client::GameInfo game;
-  std::vector<client::TeamMessage> inbox;  // one place a robot: the last message since the last sensor frame
+  std::vector<client::TeamMessage> inbox;  // one place a robot: the last message since the last sensor frame; none
+                                           // without a program: a thousand robots' would be a million
   client::TeamMessage outbox;              // of the last answer, until it is delivered
   std::vector<Exposure> waiting;           // one place a camera or range sensor
   CommandQueue pending;
@@ -53,7 +54,7 @@ struct ControlLoop::Runner {
 
   Runner(int i, int robots, int capacity, ControlledRobot robot)
       : index(i),
-        inbox(static_cast<std::size_t>(robots)),
+        inbox(static_cast<std::size_t>(robot.program == nullptr ? 0 : robots)),
         waiting(robot.eyeCount()),
         pending(capacity, robot.port.emptyCommands()),
         controlled(std::move(robot)),

@@ -22,6 +22,7 @@ void RayCastMaker::fetch(Picture& picture, LightPicture& light) {
   CastOptions options;
   options.antialias = wish_.antialias;
   options.shadows = wish_.shadows;
+  options.lanes = wish_.lanes;
   picture.has_depth = wish_.depth;
   const MovingCamera& place = order_.place;
   if (wish_.light) {

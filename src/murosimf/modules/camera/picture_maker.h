@@ -23,9 +23,10 @@ struct PictureWish {
   std::vector<std::uint32_t> hidden;  ///< owners of drawables that it does not show
   bool antialias = false, shadows = false, depth = false;
   Shutter shutter;
-  ImageSensor sensor;    ///< its key changes from picture to picture
-  bool light = false;    ///< wants the light too, and none of the sensor
-  std::size_t most = 1;  ///< pictures that are ordered and not fetched yet, at the same time
+  ImageSensor sensor;                    ///< its key changes from picture to picture
+  bool light = false;                    ///< wants the light too, and none of the sensor
+  std::size_t most = 1;                  ///< pictures that are ordered and not fetched yet, at the same time
+  CastLanes lanes = CastLanes::kWidest;  ///< of a maker that casts rays
 };
 
 /// One picture: of this snapshot, from here.
