@@ -73,28 +73,26 @@ bool correct(BlockingDisc& a, BlockingDisc& b, double most) {
 }  // namespace
 
 void BlockingRule::reserve(int discs) {
-  by_x_.reserve(static_cast<std::size_t>(discs));
+  near_.reserve(static_cast<std::size_t>(discs));
+  circles_.reserve(static_cast<std::size_t>(discs));
   pairs_.reserve(16 * static_cast<std::size_t>(discs));
 }
 
-/// Pairs whose circles of reach (radius and displacement) overlap along x, sorted by name.
+/// Pairs whose squares of reach (radius and displacement) overlap, sorted by name.
 void BlockingRule::findPairs(std::span<const BlockingDisc> discs) {
   const auto disc = [&](int i) -> const BlockingDisc& { return discs[static_cast<std::size_t>(i)]; };
   // Corrections may turn a displacement, hence its whole length on every side, and a step of separation.
-  const auto reach = [&](int i) { return disc(i).radius + 2 * (abs(disc(i).dx) + abs(disc(i).dy)) + margin_; };
-  by_x_.clear();
+  const auto reach = [&](const BlockingDisc& d) { return d.radius + 2 * (abs(d.dx) + abs(d.dy)) + margin_; };
+  constexpr double kCorner = 1.42;  // a circle about a square, over half of its side
+  circles_.clear();
   pairs_.clear();
-  for (int i = 0; i < static_cast<int>(discs.size()); ++i) by_x_.push_back(i);
-  const auto left = [&](int i) { return disc(i).x - reach(i); };
-  std::sort(by_x_.begin(), by_x_.end(),
-            [&](int i, int j) { return left(i) != left(j) ? left(i) < left(j) : disc(i).name < disc(j).name; });
-  for (std::size_t a = 0; a < by_x_.size(); ++a)
-    for (std::size_t b = a + 1; b < by_x_.size() && left(by_x_[b]) <= disc(by_x_[a]).x + reach(by_x_[a]); ++b) {
-      const int i = by_x_[a], j = by_x_[b];
-      if (disc(i).fixed && disc(j).fixed) continue;
-      if (abs(disc(i).y - disc(j).y) > reach(i) + reach(j)) continue;
-      pairs_.push_back(disc(i).name < disc(j).name ? Pair{i, j} : Pair{j, i});
-    }
+  for (const BlockingDisc& d : discs) circles_.push_back({d.x, d.y, kCorner * reach(d)});
+  for (const auto& [i, j] : near_.find(circles_)) {
+    if (disc(i).fixed && disc(j).fixed) continue;
+    const double far = reach(disc(i)) + reach(disc(j));
+    if (abs(disc(i).x - disc(j).x) > far || abs(disc(i).y - disc(j).y) > far) continue;
+    pairs_.push_back(disc(i).name < disc(j).name ? Pair{i, j} : Pair{j, i});
+  }
   std::sort(pairs_.begin(), pairs_.end(), [&](const Pair& a, const Pair& b) {
     const std::uint64_t first_a = disc(a.first).name, first_b = disc(b.first).name;
     return first_a != first_b ? first_a < first_b : disc(a.second).name < disc(b.second).name;

@@ -18,6 +18,8 @@
 #include <span>
 #include <vector>
 
+#include "murosimf/algorithms/neighbour_list.h"
+
 namespace murosimf {
 
 struct BlockingDisc {
@@ -39,7 +41,7 @@ class BlockingRule {
   explicit BlockingRule(const Settings& settings) : settings_(settings) {}
   void reserve(int discs);
   /// Corrects the displacements of one update of length dt [s]. The order of discs does not matter.
-  /// Cost: sorting along x, then a few ns per pair that is near.
+  /// Cost: a few operations a disc (neighbour_list.h), then a few ns per pair that is near.
   void apply(std::span<BlockingDisc> discs, double dt);
 
  private:
@@ -51,7 +53,8 @@ class BlockingRule {
 
   Settings settings_;
   double margin_ = 0;  // [m] that a separation may move a disc in this update
-  std::vector<int> by_x_;
+  NeighbourList near_;
+  std::vector<PlaneDisc> circles_;  // of what each disc can reach
   std::vector<Pair> pairs_;
 };
 

@@ -53,9 +53,8 @@ void NeighbourGrid::look(std::span<const PlaneDisc> discs, const Entry& from, En
 }
 
 void NeighbourGrid::add(std::span<const PlaneDisc> discs, int a, int b) {
-  const PlaneDisc &p = discs[static_cast<std::size_t>(a)], &q = discs[static_cast<std::size_t>(b)];
-  const double reach = p.radius + q.radius, dx = p.x - q.x, dy = p.y - q.y;
-  if (dx * dx + dy * dy <= reach * reach) pairs_.emplace_back(std::min(a, b), std::max(a, b));
+  if (overlap(discs[static_cast<std::size_t>(a)], discs[static_cast<std::size_t>(b)]))
+    pairs_.emplace_back(std::min(a, b), std::max(a, b));
 }
 
 }  // namespace murosimf

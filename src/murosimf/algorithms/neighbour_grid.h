@@ -16,6 +16,12 @@ struct PlaneDisc {
   double x = 0, y = 0, radius = 0;  ///< [m]
 };
 
+/// Whether two discs overlap; discs of infinite radius do always.
+inline bool overlap(const PlaneDisc& a, const PlaneDisc& b) {
+  const double reach = a.radius + b.radius, dx = a.x - b.x, dy = a.y - b.y;
+  return dx * dx + dy * dy <= reach * reach;
+}
+
 class NeighbourGrid {
  public:
   void reserve(std::size_t discs);

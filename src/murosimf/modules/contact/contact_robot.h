@@ -8,7 +8,8 @@
 ///            Motion that takes no forces is prescribed. [physics of the pair phase: pair_solver.h]
 /// State      motion and recoil of the bodies that were partners in the last frame; the response that is kept.
 /// Shapes     those that contact_detail says (shape_detection.h); none where it is not there.
-/// Cost       some 10 ns a robot that touches nothing; else what kept_response.h says, and 0.1 us a body that touches.
+/// Cost       nothing of a robot that takes no part in a frame (contact_robots.h); some 10 ns of one that touches
+///            nothing; else what kept_response.h says, and 0.1 us a body that touches.
 
 #include <memory>
 
@@ -49,6 +50,10 @@ class ContactRobot {
   // In this order, every frame:
   /// Forgets the last frame's partners.
   void begin(long frame, double dt);
+  /// Whether it has something to forget: a partner, or a force that still stands.
+  bool touched() const { return !rows_.empty() || !pushed_.empty(); }
+  /// Where its base will be at the end of a frame, also of one that it has not begun.
+  Vector3 nearPlace(long frame) const { return path_.position(0, path_.contactShareAfter(frame)); }
   Vector3 basePosition() const { return bodyPose(0).translation; }
   /// Where a body will be at the frame's end.
   Vector3 nearPosition(int row) const { return path_.position(row, end_); }

@@ -62,7 +62,7 @@ void PairPhase::addAll(const World& world, LinkedWorld& linked, const std::vecto
                        table_->kindOf(world.path(id), world.findShared(id, kShapes)->front().surface)});
   }
   std::vector<SharedKind> kinds;
-  for (const ObjectId id : robots) robots_.emplace_back(world, linked, id, *table_, kinds);
+  for (const ObjectId id : robots) robots_.add(ContactRobot(world, linked, id, *table_, kinds));
   for (const ObjectId id : fixed) {
     for (const Obstacle& obstacle : obstaclesOf(world, id, *table_))
       fixed_.push_back({id, hashName(world.path(id)), *world.find(id, kFixedPose), obstacle});
@@ -101,31 +101,37 @@ void PairPhase::reserve() {
 void PairPhase::advance(long frame, double dt) {
   pushBodies(dt);
   findPairs(frame, dt);
-  for (std::size_t r = 0; r < robots_.size(); ++r) frame_.responders[r] = robots_[r].response();
+  for (const int r : robots_.awake())
+    frame_.responders[static_cast<std::size_t>(r)] = robots_.wake(static_cast<std::size_t>(r)).response();
   solver_.advance(frame_, dt);
   for (std::size_t i = 0; i < moving_.size(); ++i) {
     moving_[i].pose.set(frame_.bodies[i].X_WB);
     moving_[i].velocity.set(frame_.bodies[i].velocity);
     moving_[i].rate.set(frame_.bodies[i].angular_velocity);
   }
-  for (ContactRobot& robot : robots_) robot.finish(frame_);
+  for (const int r : robots_.awake()) robots_.wake(static_cast<std::size_t>(r)).finish(frame_);
+  pushRobots();
+  noteTouches();
+  pressSensors(dt);
+}
+
+/// In the frame in which nobody has touched it a robot has yet to take part, and to forget afterwards.
+void PairPhase::pushRobots() {
   for (const Push& push : pushes_) {
-    for (ContactRobot& robot : robots_) {
-      if (robot.object() == push.object) robot.push(push.row, push.p_W, push.force_W);
+    for (std::size_t r = 0; r < robots_.size(); ++r) {
+      if (robots_[r].object() == push.object) robots_.wake(r).push(push.row, push.p_W, push.force_W);
     }
   }
   pushes_.clear();
-  noteTouches();
-  pressSensors(dt);
 }
 
 void PairPhase::findPairs(long frame, double dt) {
   frame_.bodies.clear();
   frame_.partners.clear();
   frame_.pairs.clear();
-  frame_.responders.resize(robots_.size());
+  frame_.responders.assign(robots_.size(), nullptr);
   partners_.clear();
-  for (ContactRobot& robot : robots_) robot.begin(frame, dt);
+  robots_.beginFrame(frame, dt);
   for (std::size_t i = 0; i < moving_.size(); ++i) {
     const Moving& m = moving_[i];
     FreeBody& body = frame_.bodies.emplace_back();
@@ -158,7 +164,7 @@ void PairPhase::noteTouches() {
 }
 
 void PairPhase::pressSensors(double dt) {
-  for (ContactRobot& robot : robots_) robot.clearSensors();
+  for (const int r : robots_.awake()) robots_.wake(static_cast<std::size_t>(r)).clearSensors();
   for (const ContactPair& pair : frame_.pairs) {
     if (!pair.touched) continue;
     press(pair.a, pair.key.shape_a, norm(pair.impulse) / dt);
@@ -169,7 +175,7 @@ void PairPhase::pressSensors(double dt) {
 void PairPhase::press(const ContactSide& side, std::uint16_t shape, double force) {
   const int robot = side.partner < 0 ? -1 : partners_[static_cast<std::size_t>(side.partner)].robot;
   if (robot < 0) return;
-  ContactRobot& pressed = robots_[static_cast<std::size_t>(robot)];
+  ContactRobot& pressed = robots_.wake(static_cast<std::size_t>(robot));
   const int sensor = pressed.touchSensorOf(shape);
   if (sensor >= 0) pressed.feel(sensor, force);
 }
@@ -216,10 +222,11 @@ void PairPhase::addFixed(std::size_t body, double reach) {
 }
 
 void PairPhase::addRobot(std::size_t body, int number, double reach) {
-  ContactRobot& robot = robots_[static_cast<std::size_t>(number)];
   const Vector3 centre = frame_.bodies[body].X_WB.translation;
-  const double far = reach + robot.reach();
-  if (!robot.present() || squaredNorm(robot.nearPosition(0) - centre) > far * far) return;
+  const auto r = static_cast<std::size_t>(number);
+  const double far = reach + robots_[r].reach();
+  if (squaredNorm(robots_.place(r) - centre) > far * far || !robots_[r].present()) return;
+  ContactRobot& robot = robots_.wake(r);
   for (const Obstacle& shape : robot.shapes()) {
     const double near = reach + shape.farthest;
     if (squaredNorm(robot.nearPosition(shape.row) - centre) > near * near) continue;
@@ -271,7 +278,7 @@ void PairPhase::archive(StateArchive& archive) {
   std::vector<KeptContact> kept(solver_.kept().begin(), solver_.kept().end());
   archive(kept);
   if (archive.loading()) solver_.restore(kept);
-  for (ContactRobot& robot : robots_) archive(robot);
+  archive(robots_);
 }
 
 }  // namespace murosimf

@@ -14,6 +14,7 @@
 ///               pair_force recoils (contact_robot.h); the motion of others is prescribed: they push with a capped
 ///               force. It adds push_force of their touch sensors: the force of what they touch here on the shapes
 ///               that the sensor feels, mean over the frame.
+///               Only robots that are near something, or were in touch, take part in a frame (contact_robots.h).
 /// Who touches   all that the world's contact_rules do not forbid, as its surface_table and they say (contact_table.h).
 /// Static        objects with fixed_pose and shapes; the ground is the half-space below z = 0, surface "turf". Robots
 ///               meet the ground by modules of their own.
@@ -90,6 +91,7 @@ class PairPhase {
   void addPair(std::size_t body, const Obstacle& obstacle, std::uint64_t name, int partner);
   void nameNewPartner(ObjectId object, int robot);
   void pushBodies(double dt);
+  void pushRobots();
   void noteTouches();
   void pressSensors(double dt);
   void press(const ContactSide& side, std::uint16_t shape, double force);
@@ -97,7 +99,7 @@ class PairPhase {
   std::unique_ptr<ContactTable> table_;
   int ground_kind_;
   std::vector<Moving> moving_;
-  std::vector<ContactRobot> robots_;
+  ContactRobots robots_;
   std::vector<FixedObstacle> fixed_;
   RobotPairs robot_pairs_;
   PairSolver solver_;

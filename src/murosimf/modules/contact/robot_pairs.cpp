@@ -46,11 +46,11 @@ bool agreeWithin(ContactTable& table, const std::vector<int>& kinds) {
 
 }  // namespace
 
-RobotPairs::RobotPairs(ContactTable& table, const std::vector<ContactRobot>& robots,
-                       const std::vector<FixedObstacle>& fixed)
+RobotPairs::RobotPairs(ContactTable& table, const ContactRobots& robots, const std::vector<FixedObstacle>& fixed)
     : table_(&table), placed_(robots.size()), travels_(robots.size()) {
-  grid_.reserve(robots.size());
-  discs_.reserve(robots.size());
+  neighbours_.reserve(robots.size() + fixed.size());
+  discs_.reserve(robots.size() + fixed.size());
+  near_fixed_.reserve(robots.size());
   std::size_t numbers = 0;
   for (const ContactRobot& robot : robots) numbers += ShapeTravel::numbersOf(robot);
   travelled_ = AlignedDoubles(numbers);
@@ -79,38 +79,69 @@ RobotPairs::RobotPairs(ContactTable& table, const std::vector<ContactRobot>& rob
   }
 }
 
-void RobotPairs::find(std::vector<ContactRobot>& robots, const std::vector<FixedObstacle>& fixed,
-                      std::span<const KeptContact> kept, FrameContacts& frame, const NamePartner& name_partner) {
+void RobotPairs::find(ContactRobots& robots, const std::vector<FixedObstacle>& fixed, std::span<const KeptContact> kept,
+                      FrameContacts& frame, const NamePartner& name_partner) {
   counts_ = {};
   robots_ = &robots, fixed_ = &fixed, kept_ = kept, frame_ = &frame, name_partner_ = &name_partner;
   ++frame_number_;
-  const bool nobody = std::none_of(robots.begin(), robots.end(), [](const ContactRobot& r) { return r.recoils(); });
+  const bool nobody = most_contacts_ == 0 ||
+                      std::none_of(robots.begin(), robots.end(), [](const ContactRobot& r) { return r.recoils(); });
   if (nobody) return;
-  discs_.clear();
-  for (const ContactRobot& robot : robots) {
-    const Vector3 p = robot.nearPosition(0);
-    discs_.push_back({p.x, p.y, robot.reach() + kMargin});
-  }
+  listDiscs();
   near_.beginFrame();
-  const std::span<const std::pair<int, int>> neighbours = grid_.find(discs_);
+  near_fixed_.clear();
+  const int count = static_cast<int>(robots.size());
+  const std::span<const std::pair<int, int>> neighbours = neighbours_.find(discs_);
   for (std::size_t i = 0; i < neighbours.size(); ++i) {
+    const auto& [a, b] = neighbours[i];
+    if (a >= count) break;  // what is fixed among itself
+    if (b >= count) {
+      near_fixed_.emplace_back(a, b - count);
+      continue;
+    }
     if (robots.size() >= kMany && i + kAhead < neighbours.size()) fetch(neighbours[i + kAhead]);
-    betweenRobots(neighbours[i].first, neighbours[i].second);
+    betweenRobots(a, b);
   }
-  for (std::size_t i = 0; i < robots.size(); ++i) {
-    if (!robots[i].recoils() || !robots[i].present()) continue;
-    withFixed(static_cast<int>(i));
-    if (touches_itself_[i] && robots[i].jointsYield()) withItself(static_cast<int>(i));
+  withOthers();
+}
+
+void RobotPairs::listDiscs() {
+  discs_.clear();
+  for (std::size_t i = 0; i < robots_->size(); ++i) {
+    const Vector3& p = robots_->place(i);
+    discs_.push_back({p.x, p.y, (*robots_)[i].reach() + kMargin});
+  }
+  for (const FixedObstacle& obstacle : *fixed_) {
+    const Vector3 centre = obstacle.X_WB * obstacle.shape.X_BS.translation;
+    discs_.push_back({centre.x, centre.y, obstacle.shape.reach});
+  }
+}
+
+/// Robot by robot: what is fixed, then the robot itself.
+void RobotPairs::withOthers() {
+  auto next = near_fixed_.cbegin();
+  for (std::size_t i = 0; i < robots_->size(); ++i) {
+    const auto first = next;
+    while (next != near_fixed_.cend() && index(next->first) == i) ++next;
+    if (first == next && touches_itself_[i] == 0) continue;
+    if (!(*robots_)[i].recoils() || !(*robots_)[i].present()) continue;
+    const int robot = static_cast<int>(i);
+    for (auto pair = first; pair != next; ++pair) withFixed(robot, (*fixed_)[index(pair->second)]);
+    if (touches_itself_[i] != 0 && robotOf(robot).jointsYield()) withItself(robot);
   }
 }
 
 void RobotPairs::fetch(const std::pair<int, int>& robots) const {
-  for (const int robot : {robots.first, robots.second}) travels_[index(robot)].fetch((*robots_)[index(robot)]);
+  const int count = static_cast<int>(robots_->size());
+  for (const int robot : {robots.first, robots.second}) {
+    if (robot < count) travels_[index(robot)].fetch((*robots_)[index(robot)]);
+  }
 }
 
 void RobotPairs::betweenRobots(int a, int b) {
-  if (!robotOf(a).recoils() && !robotOf(b).recoils()) return;
-  if (!robotOf(a).present() || !robotOf(b).present()) return;
+  const ContactRobot &of_a = (*robots_)[index(a)], &of_b = (*robots_)[index(b)];
+  if (!of_a.recoils() && !of_b.recoils()) return;
+  if (!of_a.present() || !of_b.present()) return;
   ++counts_.robots;
   const ShapeTravel &travel_a = travelOf(a), &travel_b = travelOf(b);
   if (!near_.keep(a, b, travel_a, travel_b)) near_.list(a, b, {placedOf(a), travel_a}, {placedOf(b), travel_b});
@@ -122,18 +153,13 @@ void RobotPairs::betweenRobots(int a, int b) {
   }
 }
 
-void RobotPairs::withFixed(int robot) {
-  const PlaneDisc& disc = discs_[index(robot)];
-  for (const FixedObstacle& obstacle : *fixed_) {
-    const Vector3 centre = obstacle.X_WB * obstacle.shape.X_BS.translation;
-    const double far = disc.radius + obstacle.shape.reach, dx = centre.x - disc.x, dy = centre.y - disc.y;
-    if (dx * dx + dy * dy > far * far) continue;
-    const Side fixed_side{-1, &obstacle.shape, obstacle.object, obstacle.name, obstacle.X_WB};
-    placedOf(robot).forNear(centre, obstacle.shape.reach, [&](std::size_t i) {
-      const int kind = robotOf(robot).shapes()[i].kind;
-      test(sideOf(robot, i), fixed_side, table_->between(kind, obstacle.shape.kind));
-    });
-  }
+void RobotPairs::withFixed(int robot, const FixedObstacle& obstacle) {
+  const Vector3 centre = obstacle.X_WB * obstacle.shape.X_BS.translation;
+  const Side fixed_side{-1, &obstacle.shape, obstacle.object, obstacle.name, obstacle.X_WB};
+  placedOf(robot).forNear(centre, obstacle.shape.reach, [&](std::size_t i) {
+    const int kind = robotOf(robot).shapes()[i].kind;
+    test(sideOf(robot, i), fixed_side, table_->between(kind, obstacle.shape.kind));
+  });
 }
 
 void RobotPairs::withItself(int robot) {

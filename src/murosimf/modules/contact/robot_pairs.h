@@ -3,18 +3,19 @@
 /// @file Where robots touch one another and what stands on the field.
 ///
 /// Two of which neither recoils have nothing to find here: kinematic robots are kept apart by blocking_phase.h.
-/// Broad phase   robots by the discs that they can reach, in a grid on the field; then their bodies by bounding
+/// Broad phase   robots and posts by the discs that they can reach (neighbour_list.h); then their bodies by bounding
 ///               spheres, and by how far they have gone since they were found apart (near_shapes.h). Bodies of one
 ///               robot where rules say that they touch, and its joints give way.
 /// Narrow phase  algorithms/collision/detect_contact.h, up to four points a pair of shapes.
-/// Cost          some 10 ns a robot with nobody near; 1 us two robots that stand side by side; the narrow phase
+/// Cost          some ns a robot with nobody near; 1 us two robots that stand side by side; the narrow phase
 ///               besides.
 
 #include <functional>
 
 #include "murosimf/algorithms/collision/detect_contact.h"
-#include "murosimf/algorithms/neighbour_grid.h"
+#include "murosimf/algorithms/neighbour_list.h"
 #include "murosimf/linking/batch.h"
+#include "murosimf/modules/contact/contact_robots.h"
 #include "murosimf/modules/contact/near_shapes.h"
 
 namespace murosimf {
@@ -24,14 +25,14 @@ class RobotPairs {
   RobotPairs() = default;
   /// Agrees in the table on all that robots may touch here; the table must live longer.
   /// @throws std::invalid_argument naming both surfaces when nothing says how they touch
-  RobotPairs(ContactTable& table, const std::vector<ContactRobot>& robots, const std::vector<FixedObstacle>& fixed);
+  RobotPairs(ContactTable& table, const ContactRobots& robots, const std::vector<FixedObstacle>& fixed);
 
   /// Told of every partner that was added to the frame: its object and the robot's number, -1 for what is fixed.
   using NamePartner = std::function<void(ObjectId object, int robot)>;
-  /// Adds pairs and partners of what overlaps at the frame's start. Robots have begun the frame.
+  /// Adds pairs and partners of what overlaps at the frame's start.
   /// @param kept contacts of the last frame
-  void find(std::vector<ContactRobot>& robots, const std::vector<FixedObstacle>& fixed,
-            std::span<const KeptContact> kept, FrameContacts& frame, const NamePartner& name_partner);
+  void find(ContactRobots& robots, const std::vector<FixedObstacle>& fixed, std::span<const KeptContact> kept,
+            FrameContacts& frame, const NamePartner& name_partner);
   /// For which there is room without allocation.
   std::size_t mostContacts() const { return most_contacts_; }
 
@@ -54,9 +55,11 @@ class RobotPairs {
   };
   void fetch(const std::pair<int, int>& robots) const;
   void betweenRobots(int a, int b);
-  void withFixed(int robot);
+  void listDiscs();
+  void withOthers();
+  void withFixed(int robot, const FixedObstacle& obstacle);
   void withItself(int robot);
-  ContactRobot& robotOf(int robot) { return (*robots_)[static_cast<std::size_t>(robot)]; }
+  ContactRobot& robotOf(int robot) { return robots_->wake(static_cast<std::size_t>(robot)); }
   const PlacedShapes& placedOf(int robot);
   const ShapeTravel& travelOf(int robot);
   Side sideOf(int robot, std::size_t shape) const;
@@ -73,13 +76,14 @@ class RobotPairs {
   AlignedDoubles travelled_;          // what these keep
   std::vector<ShapeTravel::Way> ways_;
   NearShapes near_;
-  std::vector<PlaneDisc> discs_;
-  NeighbourGrid grid_;
+  std::vector<PlaneDisc> discs_;                 // of robots, then of what is fixed
+  NeighbourList neighbours_;                     // of these
+  std::vector<std::pair<int, int>> near_fixed_;  // robots and what is fixed, of the frame
   std::size_t most_contacts_ = 0;
   Counts counts_;
   long frame_number_ = -1;
   // Of the call of find().
-  std::vector<ContactRobot>* robots_ = nullptr;
+  ContactRobots* robots_ = nullptr;
   const std::vector<FixedObstacle>* fixed_ = nullptr;
   std::span<const KeptContact> kept_;
   FrameContacts* frame_ = nullptr;
