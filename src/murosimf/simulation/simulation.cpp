@@ -103,7 +103,7 @@ void Simulation::runBlocks(std::initializer_list<Phase> phases) {
       linked_->fetchState(batch, block + 1);
       for (const Phase phase : phases) {
         linked_->runBlock(phase, batch, block, frame_, step_memory);
-        guard_.look(linked_->seatedIn(i, block), phase, frame_);
+        guard_.look(i, block, phase, frame_);
       }
     };
     forBlocks(batch.blockCount(), run);

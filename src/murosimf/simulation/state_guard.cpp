@@ -1,6 +1,7 @@
 #include "murosimf/simulation/state_guard.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace murosimf {
@@ -29,13 +30,17 @@ StateGuard::StateGuard(const World& world, LinkedWorld& linked, const std::vecto
   robot_of_.assign(linked.residents().size(), -1);
   for (std::size_t i = 0; i < robots_.size(); ++i)
     robot_of_[static_cast<std::size_t>(robots_[i].resident - linked.residents().data())] = static_cast<int>(i);
+  for (const Batch& batch : linked.batches()) records_.emplace_back(batch);
   keepHistories();
 }
 
 /// What a frame writes stands together: of a thousand robots in rings of their own, each would be on another page.
 void StateGuard::keepHistories() {
   std::size_t stride = 0;
-  for (const Robot& robot : robots_) stride += robot.history.width();
+  for (const Robot& robot : robots_) {
+    stride += robot.history.width();
+    widest_ = std::max(widest_, robot.history.width());
+  }
   histories_.resize(StepHistory::kSteps * stride);
   float* next = histories_.data();
   for (Robot& robot : robots_) {
@@ -44,17 +49,39 @@ void StateGuard::keepHistories() {
   }
 }
 
+/// Where the state of robot `number` goes; that of a robot that is held, or of nobody, goes nowhere.
+float* StateGuard::rowOf(int number) {
+  thread_local AlignedDoubles nowhere;
+  if (number >= 0 && !robots_[static_cast<std::size_t>(number)].frozen)
+    return robots_[static_cast<std::size_t>(number)].history.nextRow();
+  if (nowhere.size() < widest_) nowhere = AlignedDoubles(widest_);
+  return reinterpret_cast<float*>(nowhere.data());
+}
+
 /// Those of one block move in the same phase. Of the block that comes next the robots are asked for.
-void StateGuard::look(std::span<const int> residents, Phase phase, long frame) {
-  const double time = static_cast<double>(frame + 1) * linked_.frameLength();
-  for (const int resident : residents) {
-    const int number = robot_of_[static_cast<std::size_t>(resident)];
-    if (number < 0) continue;
-    Robot& robot = robots_[static_cast<std::size_t>(number)];
-    const std::size_t ahead = static_cast<std::size_t>(number) + residents.size();
+void StateGuard::look(std::size_t batch, int block, Phase phase, long frame) {
+  constexpr std::size_t kMostLanes = 8;
+  const std::span<const int> residents = linked_.seatedIn(batch, block);
+  const int first = robot_of_[static_cast<std::size_t>(residents.front())];
+  if (first < 0 || !robots_[static_cast<std::size_t>(first)].history.moved(phase, frame)) return;
+  std::array<int, kMostLanes> numbers{};
+  std::array<float*, kMostLanes> rows{};
+  const Batch& of = linked_.batches()[batch];
+  const auto lanes = static_cast<std::size_t>(of.width);
+  for (std::size_t i = 0; i < lanes; ++i) {
+    numbers[i] = i < residents.size() ? robot_of_[static_cast<std::size_t>(residents[i])] : -1;
+    rows[i] = rowOf(numbers[i]);
+    const std::size_t ahead = static_cast<std::size_t>(std::max(numbers[i], 0)) + lanes;
     if (ahead < robots_.size()) __builtin_prefetch(&robots_[ahead].history), __builtin_prefetch(&robots_[ahead].frozen);
-    if (!robot.history.moved(phase, frame)) return;
-    if (!robot.frozen && !robot.history.record(time)) robot.wrong = any_wrong_ = true;
+  }
+  const double time = static_cast<double>(frame + 1) * linked_.frameLength();
+  const std::uint32_t wrong =
+      records_[batch].write(of.state[static_cast<std::size_t>(block)].data(), time, std::span(rows).first(lanes));
+  if (wrong == 0) return;
+  for (std::size_t i = 0; i < residents.size(); ++i) {
+    if (numbers[i] < 0 || (wrong >> i & 1U) == 0) continue;
+    Robot& robot = robots_[static_cast<std::size_t>(numbers[i])];
+    if (!robot.frozen) robot.wrong = any_wrong_ = true;
   }
 }
 

@@ -35,7 +35,7 @@ class StateGuard {
   StateGuard(const World& world, LinkedWorld& linked, const std::vector<ObjectId>& robots);
 
   /// Behind a phase of a block, from any thread: looks at its residents, where their step has ended in it.
-  void look(std::span<const int> residents, Phase phase, long frame);
+  void look(std::size_t batch, int block, Phase phase, long frame);
   /// Then, once all blocks are through: freezes those that went wrong, and holds those that are frozen.
   void freeze(long frame);
   /// A robot that was placed moves again.
@@ -62,6 +62,7 @@ class StateGuard {
     void archive(StateArchive& archive) { archive(frozen, X_WB, at, level, memory); }
   };
   void keepHistories();
+  float* rowOf(int number);
   void freezeAt(Robot& robot, double time);
   void stop(Robot& robot);
   void hold(Robot& robot);
@@ -69,7 +70,9 @@ class StateGuard {
   const World& world_;
   LinkedWorld& linked_;
   std::vector<Robot> robots_;
+  std::vector<BlockRecord> records_;     // of each batch
   std::vector<int> robot_of_;            ///< number among robots_ of each resident; -1: none
+  std::size_t widest_ = 0;               // numbers of a step, of any robot
   std::atomic<bool> any_wrong_ = false;  ///< since the last freeze()
   int frozen_ = 0;                       ///< how many are
   std::vector<float> histories_;         ///< of a step those of all robots, then those of the next one

@@ -5,36 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#ifdef __SSE__
-#include <xmmintrin.h>
-#endif
 
 namespace murosimf {
 
 namespace {
 
-constexpr std::size_t kPoseNumbers = 12, kTwistNumbers = 6, kJointNumbers = 3;
-constexpr std::size_t kTimeNumbers = sizeof(double) / sizeof(float);  // which stays double: behind all others
-
-constexpr std::size_t kTogether = 4;  // numbers that are written at once
-
-template <class T>
-float* keep(const T& value, float* target) {
-  double numbers[sizeof(T) / sizeof(double)];
-  std::memcpy(numbers, &value, sizeof(T));
-  for (const double number : numbers) *target++ = static_cast<float>(number);
-  return target;
-}
-/// Writes past the caches: a step is read again only when something went wrong, and would push out what the next frame
-/// needs. Both places at multiples of 16 bytes. Who reads from another thread has synchronised with this one by a
-/// locked instruction, behind which such writes are seen.
-void putAway(const std::vector<float>& step, float* target) {
-#ifdef __SSE__
-  for (std::size_t i = 0; i < step.size(); i += kTogether) _mm_stream_ps(target + i, _mm_load_ps(step.data() + i));
-#else
-  std::copy(step.begin(), step.end(), target);
-#endif
-}
 template <class T>
 const float* fetch(const float* source, T& value) {
   double numbers[sizeof(T) / sizeof(double)];
@@ -43,7 +18,7 @@ const float* fetch(const float* source, T& value) {
   return source;
 }
 
-bool isNumber(float x) { return std::abs(x) < static_cast<float>(StepHistory::kLargest); }
+bool isNumber(float x) { return std::abs(x) < static_cast<float>(BlockRecord::kLargest); }
 
 /// "nan", "inf" or the size of the first number of a value that is none; empty when all are.
 template <class T>
@@ -64,29 +39,8 @@ StepHistory::StepHistory(LinkedWorld& linked, ObjectId robot)
       velocity_(linked.handle(robot, kBaseVelocity)),
       q_(linked.handle(robot, kJointPosition, subset::kJoints)),
       dq_(linked.handle(robot, kJointVelocity, subset::kJoints)),
-      command_(linked.handle(robot, kJointCommand, subset::kJoints)),
       joints_(static_cast<std::size_t>(q_.size())),
-      width_((kPoseNumbers + kTwistNumbers + kJointNumbers * joints_ + kTimeNumbers + kTogether - 1) / kTogether *
-             kTogether) {}
-
-bool StepHistory::record(double time) {
-  thread_local std::vector<float> written;
-  written.resize(width_);
-  float* const first = written.data();
-  float* next = keep(base_.get(), first);
-  next = keep(velocity_.valid() ? velocity_.get() : SpatialMotion<double>{}, next);
-  const LaneValues<double> q = q_.values(), dq = dq_.values();
-  const LaneValues<ServoCommand> command = command_.values();
-  bool good = true;
-  for (std::size_t j = 0; j < joints_; ++j) next[j] = static_cast<float>(q.get(static_cast<int>(j)));
-  for (std::size_t j = 0; j < joints_; ++j) next[joints_ + j] = static_cast<float>(dq.get(static_cast<int>(j)));
-  for (const float* number = first; number < next + 2 * joints_; ++number) good &= isNumber(*number);
-  next += 2 * joints_;
-  for (std::size_t j = 0; j < joints_; ++j) next[j] = static_cast<float>(command.get(static_cast<int>(j)).position);
-  std::memcpy(next + joints_, &time, sizeof(time));
-  putAway(written, slot(count_++));
-  return good;
-}
+      width_(BlockRecord::widthOf(joints_)) {}
 
 StepHistory::Step StepHistory::step(int number) const {
   const long kept = count_ - size() + number;

@@ -2,13 +2,13 @@
 
 /// @file A robot's last steps, kept for the day on which its state turns out to be no number.
 ///
-/// Single precision: 65 KB a robot of 21 joints, kept by the state guard. Cost: one pass over position, velocity and
-/// command of its joints.
+/// Single precision: 65 KB a robot of 21 joints, kept by the state guard and written by block_record.h.
 
 #include <string>
 #include <vector>
 
 #include "murosimf/linking/linked_world.h"
+#include "murosimf/simulation/block_record.h"
 #include "murosimf/world/vocabulary.h"
 
 namespace murosimf {
@@ -16,20 +16,18 @@ namespace murosimf {
 class StepHistory {
  public:
   static constexpr int kSteps = 200;
-  /// Beyond it a number counts as none: meters, radians, their rates.
-  static constexpr double kLargest = 1e10;
 
   StepHistory(LinkedWorld& linked, ObjectId robot);
 
   /// Numbers of one step.
   std::size_t width() const { return width_; }
   /// Where steps are kept: the first one there, at a multiple of 16 bytes, the next ones `stride` numbers apart, kSteps
-  /// of them. Before record().
+  /// of them. Before nextRow().
   void keepAt(float* first, std::size_t stride) { first_ = first, stride_ = stride; }
   /// Whether a step of this phase ends with this frame.
   bool moved(Phase phase, long frame) const { return base_.phase() == phase && frame % base_.period() == 0; }
-  /// Keeps the state of the moment. @return whether all of its numbers are numbers
-  bool record(double time);
+  /// Where the state of the moment is to be written, a row of BlockRecord.
+  float* nextRow() { return slot(count_++); }
   void clear() { count_ = 0; }
 
   /// One step as it was kept.
@@ -52,7 +50,6 @@ class StepHistory {
   Handle<Pose> base_;
   Handle<SpatialMotion<double>> velocity_;
   Handle<double> q_, dq_;
-  Handle<ServoCommand> command_;
   std::size_t joints_ = 0, width_ = 0;
   float* first_ = nullptr;  // of a ring
   std::size_t stride_ = 0;
