@@ -52,6 +52,14 @@ struct TableArguments {
 /// Prints the largest numbers of walking robots that this machine simulates in real time.
 int printTable(const TableArguments& arguments);
 
+struct GameArguments {
+  double seconds = 10;       ///< simulated
+  int threads = 0;           ///< 0: all
+  std::string isa = "auto";  ///< as in TableArguments
+};
+/// Prints how many times faster than real time a game of 7 against 7 is, with and without pictures.
+int printGameSpeed(const GameArguments& arguments);
+
 /// Prints every mistake in scenarios and robot files.
 int checkFiles(const std::vector<std::string>& files);
 /// Prints modules and properties, or the schedule of a scenario.

@@ -68,10 +68,21 @@ std::vector<int> threadCounts(const std::vector<std::string>& words) {
   return counts;
 }
 
-void addBench(CLI::App& app, TableArguments& table) {
-  CLI::App* bench = app.add_subcommand("bench", "measure how much this machine simulates in real time");
-  bench->require_subcommand(1);
-  CLI::App* command = bench->add_subcommand("table", "the largest number of walking robots in real time, row by row");
+CLI::Option* addIsa(CLI::App& command, std::string& isa) {
+  return command.add_option("--isa", isa, "registers: avx2, avx512 or auto, the widest")
+      ->check(CLI::IsMember({"avx2", "avx512", "auto"}));
+}
+
+void addGame(CLI::App& bench, GameArguments& game) {
+  CLI::App* command =
+      bench.add_subcommand("game", "how many times faster than real time 7 against 7 robots at full detail are");
+  command->add_option("--seconds", game.seconds, "simulated time")->check(CLI::Range(0.1, 1e4));
+  command->add_option("--threads", game.threads, "threads to use; 0: all")->check(CLI::Range(0, 999));
+  addIsa(*command, game.isa);
+}
+
+void addTable(CLI::App& bench, TableArguments& table) {
+  CLI::App* command = bench.add_subcommand("table", "the largest number of walking robots in real time, row by row");
   command->add_option("--rows", table.rows, "names of rows, separated by commas; default: all")->delimiter(',');
   const auto counts = [&table](const std::vector<std::string>& words) { table.threads = threadCounts(words); };
   const CLI::Validator count(
@@ -84,8 +95,7 @@ void addBench(CLI::App& app, TableArguments& table) {
   command->add_option_function<std::vector<std::string>>("--threads", counts, "numbers of threads; default: 1,all")
       ->delimiter(',')
       ->check(count);
-  command->add_option("--isa", table.isa, "registers: avx2, avx512 or auto, the widest")
-      ->check(CLI::IsMember({"avx2", "avx512", "auto"}));
+  addIsa(*command, table.isa);
   command->add_option("--json", table.json, "write rows to this file");
   command->add_option("--robots", table.robots, "try this number alone; default: look for the largest")
       ->check(CLI::Range(1, 1000000));
@@ -127,7 +137,11 @@ int run(int argc, char** argv) {
 
   TableArguments table_arguments;
   table_arguments.threads = threadCounts({"1", "all"});
-  addBench(app, table_arguments);
+  GameArguments game_arguments;
+  CLI::App* bench = app.add_subcommand("bench", "measure how much this machine simulates in real time");
+  bench->require_subcommand(1);
+  addTable(*bench, table_arguments);
+  addGame(*bench, game_arguments);
 
   try {
     app.parse(argc, argv);
@@ -137,7 +151,8 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("render")) return renderPictures(render_arguments);
   if (sweeping->parsed()) return sweep(sweep_arguments);
   if (tailoring->parsed()) return tailor(tailor_arguments);
-  if (app.got_subcommand("bench")) return printTable(table_arguments);
+  if (bench->got_subcommand("table")) return printTable(table_arguments);
+  if (bench->got_subcommand("game")) return printGameSpeed(game_arguments);
   if (check->parsed()) return checkFiles(files);
   if (modules->parsed()) return printModules(scenario);
   if (levels->parsed()) return printLevels(levels_arguments);

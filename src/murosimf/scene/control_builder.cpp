@@ -88,7 +88,6 @@ void WorldBuilder::addCameras(const Outfit& outfit, const SceneView& view, Contr
   const double frame = *scene_.simulation.frame;
   const std::uint64_t seed = *scene_.simulation.seed;
   const auto objects = world_->members(outfit.id, kCamerasSubset);
-  const std::vector<Landmark> landmarks = allLandmarks();
   for (std::size_t i = 0; i < outfit.cameras.size(); ++i) {
     const CameraChoice& choice = outfit.cameras[i];
     auto& picture = robot.cameras.emplace_back();
@@ -96,7 +95,7 @@ void WorldBuilder::addCameras(const Outfit& outfit, const SceneView& view, Contr
     if (choice.oracle) {
       oracle =
           std::make_unique<OracleCamera>(*world_, view, outfit.id, objects[i], *world_->find(objects[i], kCameraModel),
-                                         landmarks, *choice.oracle, seed, frame);
+                                         allLandmarks(), *choice.oracle, seed, frame);
     } else if (outfit.rays[i] != nullptr) {
       picture = makeCamera(outfit, view, i);
     }
