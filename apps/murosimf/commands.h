@@ -46,6 +46,7 @@ struct TableArguments {
   std::vector<int> threads{1};
   std::string isa = "auto";  ///< avx2, avx512, or the widest
   std::string json;          ///< file; empty: none
+  bool processor = false;    ///< counts processor time in the place of the wall clock's: one thread alone
   int robots = 0;            ///< tries this number alone; 0: looks for the largest
   bool quick = false;        ///< a try-out: short runs, large steps
 };

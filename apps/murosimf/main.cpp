@@ -97,6 +97,8 @@ void addTable(CLI::App& bench, TableArguments& table) {
       ->check(count);
   addIsa(*command, table.isa);
   command->add_option("--json", table.json, "write rows to this file");
+  command->add_flag("--processor-time", table.processor,
+                    "count processor time, where others use the machine: one thread alone");
   command->add_option("--robots", table.robots, "try this number alone; default: look for the largest")
       ->check(CLI::Range(1, 1000000));
   command->add_flag("--quick", table.quick, "a try-out of seconds: short runs, large steps");

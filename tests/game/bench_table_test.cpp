@@ -1,4 +1,4 @@
-// `murosimf bench table` as people run it: what it prints and writes, and what it refuses.
+// `murosimf bench` as people run it: what it prints and writes, and what it refuses.
 
 #include <gtest/gtest.h>
 
@@ -29,6 +29,15 @@ TEST(BenchTable, TellsHowManyRobotsWalkAndSee) {
   }
 }
 
+/// It ends with an error when the replayed game goes another way than the recorded one.
+TEST(BenchGame, ReplaysTheControlOfAGameToTheSameBits) {
+  const Outcome outcome = runProgram("bench game --seconds 0.3");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find("| 14 distorted cameras, 640 x 480, 30 Hz |"), std::string::npos) << outcome.text;
+  EXPECT_NE(outcome.text.find("| no pictures |"), std::string::npos) << outcome.text;
+  EXPECT_EQ(runProgram("bench game --seconds 0").exit_code, 2);
+}
+
 TEST(BenchTable, RefusesWhatItDoesNotKnow) {
   const Outcome row = runProgram("bench table --quick --rows kinematik");
   EXPECT_EQ(row.exit_code, 2);
@@ -37,6 +46,7 @@ TEST(BenchTable, RefusesWhatItDoesNotKnow) {
   EXPECT_EQ(runProgram("bench table --quick --isa sse").exit_code, 2);
   EXPECT_EQ(runProgram("bench table --quick --threads 0").exit_code, 2);
   EXPECT_EQ(runProgram("bench table --quick --threads some").exit_code, 2);
+  EXPECT_EQ(runProgram("bench table --quick --threads 2 --processor-time").exit_code, 2);
   EXPECT_EQ(runProgram("bench").exit_code, 2);
   const Outcome file = runProgram("bench table --quick --json /nowhere/table.json");
   EXPECT_EQ(file.exit_code, 2);

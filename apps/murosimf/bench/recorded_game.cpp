@@ -68,12 +68,12 @@ std::string robotText(const char* team, int number) {
 
 }  // namespace
 
-Scene sevenAgainstSeven(bool pictures, int lanes, int threads) {
+Scene sevenAgainstSeven(std::optional<double> noise, int lanes, int threads) {
   std::string text = fmt::format(
       "[simulation]\nlanes = {}\nthreads = {}\n[field]\npreset = \"2025_kid\"\n[robots.all]\n"
       "file = \"robots/ks21.urdf\"\nlevel = \"full\"\ncontrol = \"player\"\nlocalisation = \"oracle\"\n"
       "cameras = {{head = {}, chest = \"none\"}}\n",
-      lanes, threads, pictures ? fmt::format("{{period = {}}}", 1.0 / 30) : "\"oracle\"");
+      lanes, threads, noise ? fmt::format("{{period = {}, noise = {}}}", 1.0 / 30, *noise) : "\"oracle\"");
   for (const char* team : {"red", "blue"}) {
     for (int number = 1; number <= static_cast<int>(std::size(kPlaces)); ++number) text += robotText(team, number);
   }

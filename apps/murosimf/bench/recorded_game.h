@@ -4,6 +4,7 @@
 /// the same way to the last bit, and what is measured is the simulator alone.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,9 +36,9 @@ class RecordedGame {
   std::unique_ptr<Referee> referee_;
 };
 
-/// Seven against seven KS21 at full detail on the field of 2025. @param pictures  a distorted head camera each, 640 x
-/// 480 at 30 Hz; else players are told what a vision could have found.
+/// Seven against seven KS21 at full detail on the field of 2025. @param noise  a distorted head camera each, 640 x
+/// 480 at 30 Hz, whose pictures have so much noise; nothing: players are told what a vision could have found.
 /// @throws std::runtime_error with what the reader says
-Scene sevenAgainstSeven(bool pictures, int lanes, int threads);
+Scene sevenAgainstSeven(std::optional<double> noise, int lanes, int threads);
 
 }  // namespace murosimf

@@ -92,7 +92,7 @@ double WalkingRobots::run(double seconds) {
   const Shares after = stages();
   for (std::size_t i = 0; i < after.stage.size(); ++i) shares_.stage[i] += after.stage[i] - before.stage[i];
   shares_.pictures += after.pictures - before.pictures;
-  run_seconds_ += seconds;
+  run_seconds_ += seconds, wall_seconds_ += took;
   return took;
 }
 

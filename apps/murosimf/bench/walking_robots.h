@@ -55,8 +55,9 @@ class WalkingRobots {
   };
   /// Goes on for so long. @return time of the wall clock [s]
   double run(double seconds);
-  /// Simulated time of all runs [s].
+  /// Simulated time of all runs, and what they took of the wall clock [s].
   double simulated() const { return run_seconds_; }
+  double wall() const { return wall_seconds_; }
   /// Of all runs.
   const Shares& shares() const { return shares_; }
   /// Shortest way that a robot has gone forward in all runs [m].
@@ -85,8 +86,8 @@ class WalkingRobots {
   std::unique_ptr<Simulation> simulation_;
   std::vector<Robot> robots_;
   Shares shares_;
-  double replay_seconds_ = 0, run_seconds_ = 0;  // of the wall clock; simulated
-  long pictures_before_ = 0;                     // of the runs
+  double replay_seconds_ = 0, run_seconds_ = 0, wall_seconds_ = 0;  // [s]
+  long pictures_before_ = 0;                                        // of the runs
 };
 
 }  // namespace murosimf

@@ -47,7 +47,7 @@ std::string scenarioOf(const WalkingSettings& settings) {
       "[robots.red.1]\nfile = \"robots/ks21.urdf\"\nlevel = \"{}\"\ncontrol = \"{}\"\npose = [0, 0, 0]\n"
       "[robots.red.1.cameras]\nhead = {}\nchest = \"none\"\n",
       settings.frame, settings.lanes, settings.threads, kReplayPeriod, kReplayPeriod, settings.level,
-      sees ? "replay" : "none", sees ? "{period = 0.05}" : "\"none\"");
+      sees ? "replay" : "none", sees ? "{period = 0.05, noise = 0}" : "\"none\"");
 }
 
 /// Rows and columns about the centre, all heading for +x.
