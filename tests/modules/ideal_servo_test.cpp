@@ -51,6 +51,18 @@ TEST(IdealServo, StaysWithinItsRange) {
   EXPECT_NEAR(joint.position(), -kPi / 2, 1e-9);
 }
 
+TEST(IdealServo, WithoutStiffnessItHoldsTheRateOfTheCommandWithinSpeedAndRange) {
+  Joint joint;
+  joint.run({0, -0.5, 0, 0, 0.05}, 10);
+  EXPECT_NEAR(joint.position(), -0.05, 1e-12);
+  EXPECT_NEAR(joint.velocity(), -0.5, 1e-12);
+  joint.run({0, 50, 0, 0, 0.05}, 10);
+  EXPECT_NEAR(joint.position(), -0.05 + 0.712, 1e-12);
+  joint.run({0, 50, 0, 0, 0.05}, 100);
+  EXPECT_NEAR(joint.position(), kPi / 2, 1e-9);
+  EXPECT_NEAR(joint.velocity(), 0, 1e-9);
+}
+
 TEST(IdealServo, WithoutGainItKeepsItsPosition) {
   Joint joint;
   joint.run({0.3, 0, 0, 30, 0}, 20);

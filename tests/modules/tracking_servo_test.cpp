@@ -85,6 +85,17 @@ TEST(TrackingServo, StaysWithinItsRangeAndWhereItIsWithoutGain) {
   }
 }
 
+TEST(TrackingServo, WithoutStiffnessItHoldsTheRateOfTheCommandWithinItsRange) {
+  Crane crane(kAtOnce);
+  crane.command({0, -1.5, 0, 0, 0.05});
+  crane.run(0.5);
+  for (int j = 0; j < 2; ++j) EXPECT_NEAR(crane.dq(j), -1.5, 1e-12);
+  for (int j = 0; j < 2; ++j) EXPECT_NEAR(crane.q(j), -0.75, 1e-9);
+  crane.command({0, 3, 0, 0, 0.05});
+  crane.run(2);
+  for (int j = 0; j < 2; ++j) EXPECT_NEAR(crane.q(j), 2, 1e-9);
+}
+
 TEST(TrackingServo, ComesNearItsCommandWithTheLagOfItsGains) {
   Crane crane(kUnlimited, 1e-4);
   crane.command({0.05, 0, 0, 1, 0});
