@@ -46,6 +46,12 @@ std::string valueText(const TextNode& value) {
 SweepPlan PlanReader::read() {
   SweepPlan plan;
   plan.file = file_;
+  if (plan_.find("scenario") == nullptr && plan_.find("robots") != nullptr) {
+    problems_.error({file_.string(), 0, 0},
+                    "this is a scenario, expected the plan of a sweep, which names one: scenario = \"" +
+                        file_.filename().string() + "\" (docs/sweeps.md)");
+    return plan;
+  }
   refuseUnknown(plan_, "", kKeys);
   readScenario(plan);
   readDirectory(plan);

@@ -100,7 +100,12 @@ CLI::App* addTailor(CLI::App& app, TailorArguments& arguments) {
   command->add_option("--metric", arguments.metric, "path in report.json, as of sweeps (docs/sweeps.md)")->required();
   command->add_option("--tolerance", arguments.tolerance, "largest change of the metric that is allowed")
       ->required()
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            double value = 0;
+            return CLI::detail::lexical_cast(text, value) && value > 0 ? "" : text + " is no number above 0";
+          },
+          "NUMBER > 0"));
   command->add_option("--confidence", arguments.confidence, "that the change is below the tolerance, on each side")
       ->check(CLI::Range(0.6, 0.9999));
   command->add_option("--seeds", arguments.seeds, "games a choice; as many check the result")

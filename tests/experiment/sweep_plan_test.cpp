@@ -106,6 +106,8 @@ TEST_P(BrokenPlans, AreToldWhereAndHow) {
 
 const Mistake kMistakes[] = {
     {"Empty", "", "plan.toml: error: scenario is missing, expected the file of a scenario"},
+    {"Scenario", "[robots.red.1]\n",
+     "plan.toml: error: this is a scenario, expected the plan of a sweep, which names one: scenario = \"plan.toml\""},
     {"NoSeeds", "scenario = \"game_3v3.toml\"\n", "seeds is missing, expected a list such as [1, 2, 3]"},
     {"Syntax", "scenario = \n", "plan.toml:1:12: error: this is not TOML"},
     {"UnknownKey", kHead + "confidense = 0.9\n",
