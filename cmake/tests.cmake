@@ -1,6 +1,6 @@
 # One executable and one ctest entry a folder of tests/. tests/<layer> is linked with that layer alone (and so with
 # those below), tests/controllers with the control software and with algorithms/ (its ray caster draws pictures for the
-# vision; the control software itself sees neither), every other folder (tests/game, tests/apps, ...) with everything.
+# vision; the control software itself sees neither), every other folder (tests/game, tests/experiment, ...) with everything.
 # tests/modules and tests/simulation move the robots of robots/ by the reference gait, so they see scene/ and the control
 # software too; so does tests/render, which is left out with the window (cmake/libraries.cmake), and tests/peers, which compares with other simulators and is left out where these are missing
 # (cmake/peers.cmake). Files *_v4.cpp are compiled for AVX-512 and must include nothing but math/ and plain declarations.
