@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "murosimf/scene/module_choice.h"
+#include "murosimf/world/vocabulary.h"
 
 namespace murosimf {
 
@@ -69,6 +70,12 @@ nlohmann::ordered_json teamSums(const MatchResult& result, Team team) {
           {"shots_on_target", sum.shots_on_target},
           {"saves", sum.saves},
           {"own_goals", sum.own_goals}};
+}
+
+bool isOnWheels(const World& world, ObjectId robot) {
+  const auto* wheels = world.findShared(robot, kWheels);
+  const auto* soles = world.findShared(robot, kSoles);
+  return wheels != nullptr && !wheels->empty() && (soles == nullptr || soles->empty());
 }
 
 nlohmann::ordered_json perceptFigures(const PerceptResult& r, const std::string& robot) {
@@ -142,7 +149,7 @@ void addExchanges(nlohmann::ordered_json& report, const Scene& scene, const Exch
     const auto settings = std::find_if(scene.robots.begin(), scene.robots.end(),
                                        [&](const RobotSettings& r) { return r.path() == path; });
     Diagnostics told_already;
-    const MotionPlan plan = motionPlanOf(*settings, told_already);
+    const MotionPlan plan = motionPlanOf(*settings, told_already, isOnWheels(simulation.world(), robot.object));
     nlohmann::ordered_json seconds;
     for (std::size_t level = 0; level < robot.frames.size(); ++level) {
       seconds[plan.motions[level]] = static_cast<double>(robot.frames[level]) * simulation.frameLength();

@@ -62,11 +62,12 @@ class MapPanel final : public Panel {
   /// The selected robot, or the one that has the selected part; else the first one.
   static int robotOf(Session& session) {
     const auto& robots = session.simulation().participants().robots;
-    for (std::size_t i = 0; i < robots.size() && session.selected.valid(); ++i) {
-      if (session.world().path(session.selected).starts_with(session.world().path(robots[i])))
-        return static_cast<int>(i);
+    const int count = session.simulation().control()->robotCount();
+    for (int i = 0; i < count && session.selected.valid(); ++i) {
+      if (session.world().path(session.selected).starts_with(session.world().path(robots[static_cast<std::size_t>(i)])))
+        return i;
     }
-    return robots.empty() ? -1 : 0;
+    return count == 0 ? -1 : 0;
   }
 
   /// Robot in the middle, its x upwards.

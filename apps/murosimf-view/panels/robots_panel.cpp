@@ -19,7 +19,8 @@ class RobotsPanel final : public Panel {
     ImGui::TableSetupColumn("is at");
     ImGui::TableHeadersRow();
     const std::vector<ObjectId>& robots = session.simulation().participants().robots;
-    for (std::size_t i = 0; i < robots.size(); ++i) drawRobot(session, robots[i], static_cast<int>(i));
+    const int count = session.simulation().control()->robotCount();
+    for (int i = 0; i < count; ++i) drawRobot(session, robots[static_cast<std::size_t>(i)], i);
     ImGui::EndTable();
   }
 

@@ -95,7 +95,7 @@ RecordedGame::RecordedGame(const Scene& scene, GameCommands& commands) {
   Diagnostics diagnostics;
   simulation_ = buildGame(scene, diagnostics, {}, allModules(), {{"player", program}});
   if (simulation_ == nullptr) throw std::runtime_error(diagnostics.text());
-  referee_ = std::make_unique<Referee>(matchSettings(scene, simulation_->world()), *simulation_);
+  referee_ = makeReferee(matchSettings(scene, simulation_->world()), *simulation_);
   simulation_->observe(referee_.get());
 }
 

@@ -108,6 +108,7 @@ OverviewSource::OverviewSource(Simulation& simulation, TagText tag_text)
     : simulation_(simulation), tag_text_(std::move(tag_text)) {
   for (const ObjectId robot : simulation.participants().robots) {
     const std::string& path = simulation.world().path(robot);
+    if (!path.starts_with("robots.")) continue;  // an obstacle that can be pushed
     poses_.push_back(simulation.linked().handle(robot, kBasePose));
     tags_.push_back({{}, lastName(path), teamColour(path)});
   }
