@@ -33,7 +33,7 @@ inline client::RobotDescription makeRobot() {
   robot.cameras[1].fx = robot.cameras[1].fy = 134.26, robot.cameras[1].cx = 159.5, robot.cameras[1].cy = 119.5;
   robot.cameras[0].X_BC = {R_BC, {kEyeForward, 0, kEyeUp}};
   robot.cameras[1].X_BC = {rotationY(degrees(20)) * R_BC, {0.055, 0, 0.070}};
-  robot.field = {4.5, 3.0, 1.5, 0.9, 0.5, 0.04, 0.05, 0.5, 0.6, 0.5, 1.9, 1.5, 0.07, 0.1, 0.6};
+  robot.field = {4.5, 3.0, 1.5, 0.9, 0.5, 0.04, 0.05, 0.5, 0.6, 0.5, 1.9, 0.0, 0.0, 1.5, 0.07, 0.1, 0.6};
   return robot;
 }
 
