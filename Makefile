@@ -4,7 +4,7 @@ JOBS ?= $(shell nproc)
 BUILD := build/release
 
 .DEFAULT_GOAL := help
-.PHONY: help deps deps-view configure build run view test bench check-all format install clean
+.PHONY: help deps deps-view configure build run view test book bench check-all format install clean
 
 help:  ## print this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' Makefile
@@ -33,6 +33,10 @@ view: deps-view  ## open a window onto SCENARIO (the 3 versus 3 game): pause, st
 
 test: build  ## build and run the tests
 	@ctest --preset release --parallel $(JOBS)
+
+book: configure  ## make the validation book out/book/book.html: what tests compare with closed forms, with plots
+	@tools/install_packages.sh book
+	@JOBS=$(JOBS) tools/make_book.sh $(BUILD)
 
 bench: deps  ## measure against MuJoCo, ODE and ourselves; the table goes to out/bench.json
 	@tools/install_packages.sh bench || true  # without them the table says what is missing

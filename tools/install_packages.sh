@@ -11,10 +11,11 @@ list() {
     /^\[/ { gsub(/[][ \t]/, ""); on = index(wanted, " " $0 " "); next } on { print $1, $2 }' packages.txt
 }
 
-# Without dpkg: is there such a program, or can the compiler see such a header?
+# Without dpkg: is there such a program or module of Python, or can the compiler see such a header?
 present() {
   case $1 in
     '<'*) echo "#include $1" | "${CXX:-c++}" -std=c++20 -E -x c++ - >/dev/null 2>&1 ;;
+    import:*) /usr/bin/python3 -c "import ${1#import:}" >/dev/null 2>&1 ;;
     *) command -v "$1" >/dev/null 2>&1 ;;
   esac
 }
