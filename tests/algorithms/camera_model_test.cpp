@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "book/page.h"
 #include "murosimf/math/random.h"
 
 namespace murosimf {
@@ -67,8 +68,19 @@ RaySlopes unprojectByFixedPoint(const CameraModel& camera, ImagePoint place) {
 }
 
 TEST(CameraModel, PinholeSeesItsAngleBetweenTheOuterEdgesOfThePicture) {
+  book::Page page({book::Chapter::kLenses,
+                   "A pinhole camera sees its angle between the outer edges of the picture",
+                   R"(f = \frac{w}{2 \tan(\alpha / 2)})",
+                   "Geometry; pixel centres are at integers",
+                   {{"w", "width, here 640", "px"}},
+                   {"horizontal angle $\\alpha$", "deg"},
+                   {"focal length $f$", "px"}});
+  page.curve(20, 140, [](double degrees) { return 320.0 / std::tan(0.5 * degrees * kDegree); });
+  for (const double degrees : {20.0, 40.0, 60.0, 90.0, 120.0, 140.0}) {
+    const double focal_length = makePinholeCamera(640, 480, degrees * kDegree).fx;
+    EXPECT_TRUE(page.near(degrees, focal_length, 320.0 / std::tan(0.5 * degrees * kDegree), 1e-9));
+  }
   const CameraModel camera = makePinholeCamera(640, 480, 60 * kDegree);
-  EXPECT_NEAR(camera.fx, 320.0 / std::tan(30 * kDegree), 1e-9);
   EXPECT_NEAR(std::atan(unproject(camera, {639.5, 239.5}).x), 30 * kDegree, 1e-12);
   EXPECT_NEAR(std::atan(unproject(camera, {-0.5, 239.5}).x), -30 * kDegree, 1e-12);
 }
@@ -178,8 +190,20 @@ TEST(CameraModel, StraightLineBowsByTheFormula) {
   // k1 alone: the line y = b has yd = b (1 + k1 (x^2 + b^2)), so its end at x = a bows by fy b k1 a^2 from its middle.
   CameraModel camera = makePinholeCamera(640, 480, 1.0);
   camera.kc = {-0.2, 0, 0, 0, 0};
+  book::Page page({book::Chapter::kLenses,
+                   "A straight line bows by the formula of the lens",
+                   R"(\Delta v = f \, b \, k_1 x^2)",
+                   "[Brown 1971], k_1 alone",
+                   {{"b", "slope of the line's rays, here 0.35", ""}, {"k_1", "radial distortion, here -0.2", ""}},
+                   {"slope of the ray $x$", ""},
+                   {"bow of the line $\\Delta v$", "px"}});
   const double a = 0.5, b = 0.35;
-  EXPECT_NEAR(project(camera, {a, b}).v - project(camera, {0, b}).v, camera.fy * b * -0.2 * a * a, 1e-9);
+  page.curve(0, a, [&](double x) { return camera.fy * b * -0.2 * x * x; });
+  for (int i = 1; i <= 10; ++i) {
+    const double x = i * a / 10;
+    EXPECT_TRUE(
+        page.near(x, project(camera, {x, b}).v - project(camera, {0, b}).v, camera.fy * b * -0.2 * x * x, 1e-9));
+  }
   EXPECT_LT(project(camera, {a, b}).v, project(camera, {0, b}).v);  // barrel: ends towards the middle
 }
 

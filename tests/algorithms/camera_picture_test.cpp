@@ -4,6 +4,7 @@
 
 #include "algorithms/camera_reference.h"
 #include "algorithms/camera_scene.h"
+#include "book/page.h"
 
 namespace murosimf {
 namespace {
@@ -52,27 +53,52 @@ TEST(CameraPicture, GroundHasTheDepthOfThePlane) {
   const double pitch = 0.4;
   s.X_WC = cameraPose({0.3, -0.2, 0.45}, 0.7, pitch);
   s.shoot();
+  book::Page page({book::Chapter::kPictures,
+                   "The ground has the depth of the plane",
+                   R"(d = \frac{h}{\sin\theta + y \cos\theta})",
+                   "Intersection of ray and plane",
+                   {{"h", "height of the camera, here 0.45", "m"},
+                    {"\\theta", "pitch, here 0.4", "rad"},
+                    {"y", "slope of the row's rays", ""}},
+                   {"row", "px"},
+                   {"depth $d$", "m", true}});
+  page.curve(50, 479,
+             [&](double v) { return 0.45 / (std::sin(pitch) + (v - s.camera.cy) / s.camera.fy * std::cos(pitch)); });
   int seen = 0;
   for (int v = 0; v < 480; v += 7)
     for (int u = 0; u < 640; u += 11) {
       const double y = (v - s.camera.cy) / s.camera.fy, sink = std::sin(pitch) + y * std::cos(pitch);
       if (sink < 1e-3) continue;
       ++seen;
+      if (u == 0) {
+        EXPECT_TRUE(page.near(v, s.depthAt(u, v), 0.45 / sink, 1e-5 * 0.45 / sink));
+      }
       EXPECT_NEAR(s.depthAt(u, v), 0.45 / sink, 1e-5 * 0.45 / sink);
     }
   EXPECT_GT(seen, 1000);
 }
 
 TEST(CameraPicture, SphereOnTheAxisHasTheAreaAndDepthOfItsCone) {
-  Studio s;
-  const double distance = 1.5, radius = 0.2;
-  s.add(makeSphere(radius), {{}, {distance, 0, 1}});
-  s.shoot();
-  const double slope = radius / std::sqrt(distance * distance - radius * radius), extent = s.camera.fx * slope;
-  EXPECT_NEAR(s.count(5), kPi * extent * extent, 0.002 * kPi * extent * extent);
-  EXPECT_EQ(s.labelAt(int(std::floor(s.camera.cx + extent)), 240), 5);
-  EXPECT_NE(s.labelAt(int(std::ceil(s.camera.cx + extent)) + 1, 240), 5);
-  EXPECT_NEAR(s.depthAt(320, 240), distance - radius, 1e-3);
+  book::Page page({book::Chapter::kPictures,
+                   "A sphere on the axis has the area of its cone in the picture",
+                   R"(A = \pi f^2 \frac{r^2}{d^2 - r^2})",
+                   "Tangent cone of a sphere",
+                   {{"r", "radius, here 0.2", "m"}, {"f", "focal length", "px"}},
+                   {"distance $d$", "m"},
+                   {"area $A$", "px"}});
+  for (const double distance : {0.75, 1.0, 1.5}) {
+    Studio s;
+    const double radius = 0.2;
+    s.add(makeSphere(radius), {{}, {distance, 0, 1}});
+    s.shoot();
+    const auto area = [&](double d) { return kPi * s.camera.fx * s.camera.fx / (d * d / (radius * radius) - 1); };
+    const double extent = s.camera.fx * radius / std::sqrt(distance * distance - radius * radius);
+    page.curve(0.7, 1.6, area);
+    EXPECT_TRUE(page.near(distance, s.count(5), area(distance), 0.002 * area(distance)));
+    EXPECT_EQ(s.labelAt(int(std::floor(s.camera.cx + extent)), 240), 5);
+    EXPECT_NE(s.labelAt(int(std::ceil(s.camera.cx + extent)) + 1, 240), 5);
+    EXPECT_NEAR(s.depthAt(320, 240), distance - radius, 1e-3);
+  }
 }
 
 TEST(CameraPicture, EveryPixelOfASphereLiesInItsCone) {

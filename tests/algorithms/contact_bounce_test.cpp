@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "book/page.h"
 #include "contact_scene.h"
 #include "murosimf/algorithms/collision/hull_shape.h"
 #include "murosimf/algorithms/contact_law.h"
@@ -56,6 +57,13 @@ TEST(Bounce, WithoutGravityReturnsTheRootOfTheRestitutionFactor) {
 }
 
 TEST(Bounce, SubstepsKeepRestitutionForStiffContacts) {
+  book::Page page({book::Chapter::kRestAndImpact,
+                   "However stiff the contact, a ball returns with the root of the restitution factor",
+                   R"(e = \sqrt{s_b})",
+                   "Spring of stiffness k on the way in and s_b k on the way out [Friedmann 2007]",
+                   {{"e", "speed after over speed before the impact", ""}, {"s_b", "restitution factor", ""}},
+                   {"stiffness $k$", "N/m", true},
+                   {"restitution $e$", ""}});
   for (double stiffness : {1e3, 1e4, 1e5, 1e6})
     for (double s_b : {0.25, 0.5, 1.0}) {
       const BallType ball{0.057, 0.033, 0.55};
@@ -63,7 +71,9 @@ TEST(Bounce, SubstepsKeepRestitutionForStiffContacts) {
       scene.frame.gravity = {};
       scene.addBall(ball, {0, 0, ball.radius + 0.0052}, {0, 0, -1});
       scene.addGround(0, smoothSurface(stiffness, s_b));
-      EXPECT_NEAR(impactOf(scene, ball.radius).speed, std::sqrt(s_b), 0.03 * std::sqrt(s_b)) << stiffness << " " << s_b;
+      page.series("$s_b$ =", s_b).curve(1e3, 1e6, [&](double) { return std::sqrt(s_b); });
+      const double e = impactOf(scene, ball.radius).speed;
+      EXPECT_TRUE(page.near(stiffness, e, std::sqrt(s_b), 0.03 * std::sqrt(s_b))) << s_b;
     }
 }
 
@@ -96,6 +106,20 @@ TEST(Bounce, OffACapsuleAndAHullReturnsTheRootOfTheRestitutionFactor) {
 }
 
 TEST(Bounce, HuntCrossleyReturnsTheRootOfItsEquation) {
+  book::Page page({book::Chapter::kRestAndImpact,
+                   "A Hunt-Crossley contact returns the root of its equation",
+                   R"(a (1 + e) = \ln\frac{1 + a}{1 - a e}, \quad a = d v)",
+                   "[Hunt & Crossley 1975], solved for a linear spring",
+                   {{"e", "speed after over speed before the impact", ""},
+                    {"d", "dissipation of the force k x (1 + d x')", "s/m"},
+                    {"v", "speed before the impact, here 1 m/s", "m/s"}},
+                   {"dissipation $d$", "s/m"},
+                   {"restitution $e$", ""}});
+  page.series("").curve(0.05, 2.7, [](double d) {
+    SurfacePair surface = smoothSurface(1e4, 0);
+    surface.normal_law = NormalLaw::kHuntCrossley, surface.dissipation = d;
+    return restitution(surface, 1);
+  });
   for (double stiffness : {1e3, 1e4, 1e5})
     for (double dissipation : {0.43, 1.01, 2.5}) {
       const BallType ball;
@@ -107,7 +131,8 @@ TEST(Bounce, HuntCrossleyReturnsTheRootOfItsEquation) {
       surface.dissipation = dissipation;
       scene.addGround(0, surface);
       const double e = restitution(surface, 1);
-      EXPECT_NEAR(impactOf(scene, ball.radius).speed, e, 0.03 * e) << stiffness << " " << dissipation;
+      page.series("$k$ [N/m] =", stiffness);
+      EXPECT_TRUE(page.near(dissipation, impactOf(scene, ball.radius).speed, e, 0.03 * e)) << stiffness;
     }
 }
 
@@ -137,25 +162,47 @@ Impact impactAt1(const SurfacePair& surface) {
 }
 
 TEST(Bounce, ContactTimeAndDepthAreThoseOfTwoQuarterOscillations) {
-  const double stiffness = 3e3, s_b = 0.25, quarter = std::sqrt(BallType{}.mass / stiffness);
+  book::Page page(
+      {book::Chapter::kRestAndImpact,
+       "An impact lasts two quarter oscillations, one of each branch's spring",
+       R"(T = \frac{\pi}{2} \sqrt{\frac{m}{k}} \left( 1 + \frac{1}{\sqrt{s_b}} \right))",
+       "Springs k on the way in, s_b k on the way out [Friedmann 2007]",
+       {{"T", "time in contact", "s"}, {"m", "mass, here 0.205 kg", "kg"}, {"k", "stiffness, here 3 kN/m", "N/m"}},
+       {"restitution factor $s_b$", ""},
+       {"time in contact $T$", "s"}});
+  const double stiffness = 3e3, quarter = std::sqrt(BallType{}.mass / stiffness);
+  const auto duration = [&](double s_b) { return 0.5 * kPi * quarter * (1 + 1 / std::sqrt(s_b)); };
   for (const NormalLaw law : {NormalLaw::kPaper, NormalLaw::kSmooth}) {
-    SurfacePair surface = smoothSurface(stiffness, s_b);
-    surface.normal_law = law;
     const bool jumps = law == NormalLaw::kPaper;  // the other one's passage is 0.02 m/s wide
-    const Impact impact = impactAt1(surface);
-    EXPECT_NEAR(impact.duration, 0.5 * kPi * quarter * (1 + 1 / std::sqrt(s_b)), jumps ? 3e-5 : 0.05 * quarter);
-    EXPECT_NEAR(impact.depth, quarter, (jumps ? 1e-5 : 1e-3) * quarter);
+    page.series(jumps ? "paper" : "smooth").curve(0.2, 1, duration);
+    for (const double s_b : {0.25, 0.5, 0.8}) {
+      SurfacePair surface = smoothSurface(stiffness, s_b);
+      surface.normal_law = law;
+      const Impact impact = impactAt1(surface);
+      EXPECT_TRUE(page.near(s_b, impact.duration, duration(s_b), jumps ? 3e-5 : 0.05 * quarter));
+      EXPECT_NEAR(impact.depth, quarter, (jumps ? 1e-5 : 1e-3) * quarter);
+    }
   }
 }
 
 // m u du = k x (1 - d u) dx on the way in: D^2 = 2 m/k (v/d - ln(1 + d v)/d^2).
 TEST(Bounce, DepthOfHuntCrossleyIsThatOfItsWayIn) {
-  for (const double d : {0.43, 1.01, 20.0}) {
+  book::Page page({book::Chapter::kRestAndImpact,
+                   "A Hunt-Crossley contact is as deep as its way in says",
+                   R"(D^2 = \frac{2 m}{k} \left( \frac{v}{d} - \frac{\ln(1 + d v)}{d^2} \right))",
+                   "m u du = k x (1 - d u) dx, integrated from touch to standstill [Hunt & Crossley 1975]",
+                   {{"D", "largest depth", "m"}, {"d", "dissipation", "s/m"}, {"v", "speed, here 1 m/s", "m/s"}},
+                   {"dissipation $d$", "s/m", true},
+                   {"largest depth $D$", "m"}});
+  const auto depth = [](double d) {
+    return std::sqrt(2 * BallType{}.mass / 3e3 * (1 / d - std::log(1 + d) / (d * d)));
+  };
+  page.curve(0.3, 25, depth);
+  for (const double d : {0.43, 1.01, 3.0, 8.0, 20.0}) {
     SurfacePair surface = smoothSurface(3e3, 0);
     surface.normal_law = NormalLaw::kHuntCrossley;
     surface.dissipation = d;
-    const double depth = std::sqrt(2 * BallType{}.mass / 3e3 * (1 / d - std::log(1 + d) / (d * d)));
-    EXPECT_NEAR(impactAt1(surface).depth, depth, 1e-3 * depth) << d;
+    EXPECT_TRUE(page.near(d, impactAt1(surface).depth, depth(d), 1e-3 * depth(d)));
   }
 }
 
@@ -178,11 +225,24 @@ double restitutionFormula(double s_b, double speed) {
 }
 
 TEST(Bounce, GravityLowersRestitutionAsDerived) {
+  book::Page page(
+      {book::Chapter::kRestAndImpact,
+       "Gravity lowers the restitution of slow impacts",
+       "e = \\sqrt{\\frac{s_b - \\delta}{1 - \\delta}}, \\quad \\delta = \\frac{2 m g}{k D}\n"
+       R"(D = \frac{m g}{k} \left( 1 + \sqrt{1 + \frac{k v^2}{m g^2}} \right))",
+       "Energy of spring and height on the way in and on the way out",
+       {{"D", "largest depth", "m"}, {"s_b", "restitution factor", ""}, {"v", "speed before the impact", "m/s"}},
+       {"speed $v$", "m/s"},
+       {"restitution $e$", ""}});
+  page.series("$s_b$ = 0.25").curve(0.25, 3.2, [](double v) { return restitutionFormula(0.25, v); });
+  page.series("$s_b$ = 0.64").curve(0.25, 3.2, [](double v) { return restitutionFormula(0.64, v); });
   const double cases[][3] = {{0.25, 1, 0.4279}, {0.25, 3, 0.4778}, {0.64, 1, 0.7797}};
   for (const auto& [s_b, speed, e] : cases) {
     EXPECT_NEAR(restitutionFormula(s_b, speed), e, 5e-5);
-    EXPECT_NEAR(restitutionWithGravity(NormalLaw::kPaper, s_b, speed, 2e-6), e, 1e-4);
-    EXPECT_NEAR(restitutionWithGravity(NormalLaw::kSmooth, s_b, speed, 2e-6), e, 0.02 * e);
+    page.series("paper, $s_b$ =", s_b);
+    EXPECT_TRUE(page.near(speed, restitutionWithGravity(NormalLaw::kPaper, s_b, speed, 2e-6), e, 1e-4));
+    page.series("smooth, $s_b$ =", s_b);
+    EXPECT_TRUE(page.near(speed, restitutionWithGravity(NormalLaw::kSmooth, s_b, speed, 2e-6), e, 0.02 * e));
     EXPECT_NEAR(restitutionWithGravity(NormalLaw::kPaper, s_b, speed, 1e-3), e, 0.1 * e) << "factor frozen in a step";
     EXPECT_NEAR(restitutionWithGravity(NormalLaw::kSmooth, s_b, speed, 1e-3), e, 0.04 * e);
   }

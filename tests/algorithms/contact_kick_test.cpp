@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/rigid_response.h"
+#include "book/page.h"
 #include "contact_scene.h"
 
 namespace murosimf {
@@ -40,10 +41,19 @@ TEST(Kick, KinematicFootGivesOnePlusRestitutionTimesItsSpeed) {
 }
 
 TEST(Kick, HardKicksTurnTheBallBeforeItsCentreIsReached) {
+  book::Page page({book::Chapter::kRestAndImpact,
+                   "A foot whose motion is given kicks with one plus restitution times its speed",
+                   R"(v = (1 + e) u, \quad e = \sqrt{s_b})",
+                   "Impact on a body of infinite mass",
+                   {{"u", "speed of the foot", "m/s"}, {"s_b", "restitution factor, here 0.5", ""}},
+                   {"speed of the foot $u$", "m/s"},
+                   {"speed of the ball $v$", "m/s"}});
   for (double stiffness : {3e3, 1e5})
     for (double speed : {3.0, 5.0}) {
       double deepest = 0;
-      EXPECT_NEAR(kickedSpeed(stiffness, speed, &deepest), (1 + std::sqrt(0.5)) * speed, 0.002 * speed);
+      page.series("$k$ [N/m] =", stiffness).curve(2, 6, [](double u) { return (1 + std::sqrt(0.5)) * u; });
+      const double expected = (1 + std::sqrt(0.5)) * speed;
+      EXPECT_TRUE(page.near(speed, kickedSpeed(stiffness, speed, &deepest), expected, 0.002 * speed));
       EXPECT_LT(deepest, 0.045);
     }
 }
@@ -161,11 +171,21 @@ PunchResult punch(double body_mass, double stiffness, double speed) {
 
 TEST(Kick, RecoilingBodyGivesItsShareOfMass) {
   const double m = BallType{}.mass, e = std::sqrt(kFootRestitution), speed = 1.3;
+  book::Page page({book::Chapter::kRestAndImpact,
+                   "A body that recoils gives a ball its share of mass",
+                   R"(v = u (1 + e) \frac{M}{M + m})",
+                   "Momentum and restitution of two bodies",
+                   {{"u", "speed of the body, here 1.3", "m/s"},
+                    {"m", "mass of the ball, here 0.205", "kg"},
+                    {"e", "restitution, here 0.71", ""}},
+                   {"mass of the body $M$", "kg", true},
+                   {"speed of the ball $v$", "m/s"}});
   for (double mass : {0.15, 0.6, 3.3})
     for (double stiffness : {3e3, 1e4, 1e5}) {
       const PunchResult result = punch(mass, stiffness, speed);
       const double expected = speed * (1 + e) * mass / (mass + m);
-      EXPECT_NEAR(result.ball_speed, expected, 0.025 * expected) << mass << " " << stiffness;
+      page.series("$k$ [N/m] =", stiffness).curve(0.1, 4, [&](double M) { return speed * (1 + e) * M / (M + m); });
+      EXPECT_TRUE(page.near(mass, result.ball_speed, expected, 0.025 * expected)) << stiffness;
       EXPECT_NEAR(m * result.ball_speed + mass * result.body_speed, mass * speed, 1e-12) << "momentum";
     }
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "book/page.h"
 #include "murosimf/algorithms/light/pixel_format.h"
 #include "murosimf/algorithms/ray_caster.h"
 
@@ -65,7 +66,15 @@ TEST(LightFilters, BlurKeepsEvenLightUpToTheBorder) {
 }
 
 TEST(LightFilters, BlurSpreadsAPointByItsStandardDeviation) {
-  for (const double deviation : {0.7, 1.5, 3.0}) {
+  book::Page page({book::Chapter::kPictures,
+                   "A picture out of focus spreads a point by the standard deviation that is asked for",
+                   R"(\sqrt{\sum c (u - u_0)^2 / \sum c} = \sigma)",
+                   "Second moment of a normal distribution",
+                   {{"c", "light of a pixel", ""}, {"u", "its column, or its row", "px"}},
+                   {"standard deviation $\\sigma$", "px"},
+                   {"spread of a point", "px"}});
+  for (const double deviation : {0.7, 1.5, 2.0, 3.0}) {
+    page.series("along").curve(0.5, 3.2, [](double any) { return any; });
     LightPicture light = evenLight(0), work;
     light.plane[0][at(26, 18)] = 1;
     blurLight(light, gaussianWeights(deviation), work);
@@ -77,8 +86,8 @@ TEST(LightFilters, BlurSpreadsAPointByItsStandardDeviation) {
       }
     }
     EXPECT_NEAR(sum, 1, 1e-5);
-    EXPECT_NEAR(std::sqrt(along), deviation, 0.01 * deviation);
-    EXPECT_NEAR(std::sqrt(across), deviation, 0.01 * deviation);
+    EXPECT_TRUE(page.series("along").near(deviation, std::sqrt(along), deviation, 0.01 * deviation));
+    EXPECT_TRUE(page.series("across").near(deviation, std::sqrt(across), deviation, 0.01 * deviation));
   }
 }
 
@@ -89,7 +98,14 @@ TEST(LightFilters, NoDefocusChangesNothing) {
 }
 
 TEST(LightFilters, VarianceOfNoiseGrowsWithTheLight) {
-  for (const float c : {0.0F, 0.25F, 1.0F}) {
+  book::Page page({book::Chapter::kPictures,
+                   "The variance of a camera's noise grows with the light",
+                   R"(\sigma^2 = \sigma_0^2 + g c)",
+                   "Shot noise: electrons are counted, and counts are of Poisson",
+                   {{"\\sigma_0", "noise of the dark picture, here 0.01", ""}, {"g", "shot noise, here 0.0004", ""}},
+                   {"light $c$", ""},
+                   {"variance $\\sigma^2$", ""}});
+  for (const float c : {0.0F, 0.25F, 0.5F, 1.0F}) {
     LightPicture light;
     light.resize(400, 300);
     for (std::vector<float>& plane : light.plane) std::fill(plane.begin(), plane.end(), c);
@@ -102,7 +118,8 @@ TEST(LightFilters, VarianceOfNoiseGrowsWithTheLight) {
       }
       const double n = static_cast<double>(light.pixels()), expected = 1e-4 + 4e-4 * static_cast<double>(c);
       EXPECT_NEAR(sum / n, 0, 4 * std::sqrt(expected / n));
-      EXPECT_NEAR(squares / n, expected, 0.02 * expected);
+      page.curve(0, 1, [](double any) { return 1e-4 + 4e-4 * any; });
+      EXPECT_TRUE(page.near(static_cast<double>(c), squares / n, expected, 0.02 * expected));
     }
   }
 }
@@ -110,11 +127,23 @@ TEST(LightFilters, VarianceOfNoiseGrowsWithTheLight) {
 TEST(LightFilters, ALensDarkensByTheFourthPowerOfTheCosine) {
   const CameraModel camera = makePinholeCamera(101, 101, kPi / 2);
   const std::vector<float> full = naturalVignetting(camera, 1), half = naturalVignetting(camera, 0.5);
-  const std::size_t centre = 50 * 101 + 50, edge = 50 * 101;
-  const double slope = 50 / camera.fx, cosine = 1 / std::sqrt(1 + slope * slope);
-  EXPECT_NEAR(full[centre], 1, 1e-6);
-  EXPECT_NEAR(full[edge], std::pow(cosine, 4), 1e-6);
-  EXPECT_NEAR(half[edge], 0.5 + 0.5 * std::pow(cosine, 4), 1e-6);
+  book::Page page({book::Chapter::kPictures,
+                   "A lens darkens by the fourth power of the cosine",
+                   R"(\frac{E}{E_0} = 1 - a + a \cos^4 \theta)",
+                   "Cosine fourth law of natural vignetting, shared out by a",
+                   {{"\\theta", "angle to the lens's axis", "deg"}, {"a", "share of the vignetting", ""}},
+                   {"angle $\\theta$", "deg"},
+                   {"light over light on the axis", ""}});
+  const auto falloff = [](double a) {
+    return [a](double degrees) { return 1 - a + a * std::pow(std::cos(degrees * kPi / 180), 4); };
+  };
+  page.series("$a$ = 1").curve(0, 45, falloff(1)), page.series("$a$ = 0.5").curve(0, 45, falloff(0.5));
+  for (std::size_t column = 0; column <= 50; column += 5) {
+    const std::size_t pixel = 50 * 101 + column;
+    const double angle = std::atan((50.0 - static_cast<double>(column)) / camera.fx) * 180 / kPi;
+    EXPECT_TRUE(page.series("$a$ = 1").near(angle, static_cast<double>(full[pixel]), falloff(1)(angle), 1e-6));
+    EXPECT_TRUE(page.series("$a$ = 0.5").near(angle, static_cast<double>(half[pixel]), falloff(0.5)(angle), 1e-6));
+  }
 }
 
 TEST(LightFilters, GammaLeavesBlackAndWhiteAndCutsWhatIsBrighter) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "algorithms/camera_scene.h"
+#include "book/page.h"
 #include "murosimf/algorithms/light/pixel_format.h"
 
 namespace murosimf::test {
@@ -77,11 +78,22 @@ TEST(Shutter, RollingLeansAPostThatPassesByItsSpeed) {
   const double readout = 0.03;
   ahead.cast({readout, 0, 1});
   // Row v is seen readout (1 - v / (H - 1)) before the snapshot, when the post was further to the left.
-  for (const int v : {8, 119, 232}) {
-    const double age = readout * (1 - v / 239.0);
-    const double expected = 159.5 - ahead.focalLength() * kSpeed * age / kDistance;
-    EXPECT_NEAR(ahead.middle(v), expected, 0.8) << "row " << v;  // bands of 16 rows, whole pixels
-  }
+  book::Page page({book::Chapter::kPictures,
+                   "A rolling shutter leans a post that passes by its speed",
+                   R"(u = u_0 - \frac{f v}{z} T \left( 1 - \frac{j}{H - 1} \right))",
+                   "Row j is read T (1 - j/(H - 1)) before the snapshot",
+                   {{"T", "readout time, here 30 ms", "s"},
+                    {"f", "focal length", "px"},
+                    {"v", "speed", "m/s"},
+                    {"z", "distance", "m"}},
+                   {"row $j$", "px"},
+                   {"column of the post's middle $u$", "px"}});
+  const auto column = [&](double v) {
+    return 159.5 - ahead.focalLength() * kSpeed * readout * (1 - v / 239.0) / kDistance;
+  };
+  page.curve(0, 239, column);
+  for (const int v : {8, 40, 72, 119, 168, 200, 232})
+    EXPECT_TRUE(page.near(v, ahead.middle(v), column(v), 0.8));  // bands of 16 rows, whole pixels
 }
 
 TEST(Shutter, RollingLeansTheWorldWhenTheCameraTurns) {
@@ -95,14 +107,28 @@ TEST(Shutter, RollingLeansTheWorldWhenTheCameraTurns) {
 }
 
 TEST(Shutter, BlurSpreadsAnEdgeByTheWayOfItsExposure) {
-  PostAhead ahead;
-  ahead.scene.motions[0].v = {0, -kSpeed, 0};
-  const double exposure = 0.02, way = ahead.focalLength() * kSpeed * exposure / kDistance;  // [px]
-  ahead.cast({0, exposure, 32});
-  const double post = ahead.focalLength() * 0.1 / kDistance;
-  EXPECT_NEAR(ahead.width(120, 0.001F), post + way, 2);
-  EXPECT_NEAR(ahead.width(120, 0.999F), post - way, 2);
-  EXPECT_NEAR(ahead.middle(120), 159.5 - 0.5 * way, 0.5) << "the middle of the exposure";
+  book::Page page({book::Chapter::kPictures,
+                   "Motion spreads an edge by the way of its exposure",
+                   R"(w = w_0 \pm \frac{f v t_e}{z})",
+                   "Light is summed up while the post moves",
+                   {{"w_0", "width of the post at rest", "px"},
+                    {"f", "focal length", "px"},
+                    {"v", "speed", "m/s"},
+                    {"z", "distance", "m"}},
+                   {"exposure $t_e$", "s"},
+                   {"width of the post $w$", "px"}});
+  for (const double exposure : {0.005, 0.01, 0.02}) {
+    PostAhead ahead;
+    ahead.scene.motions[0].v = {0, -kSpeed, 0};
+    const double rate = ahead.focalLength() * kSpeed / kDistance, way = rate * exposure;  // [px/s], [px]
+    ahead.cast({0, exposure, 32});
+    const double post = ahead.focalLength() * 0.1 / kDistance;
+    page.series("lit at all").curve(0, 0.02, [&](double t) { return post + rate * t; });
+    EXPECT_TRUE(page.near(exposure, ahead.width(120, 0.001F), post + way, 2));
+    page.series("fully lit").curve(0, 0.02, [&](double t) { return post - rate * t; });
+    EXPECT_TRUE(page.near(exposure, ahead.width(120, 0.999F), post - way, 2));
+    EXPECT_NEAR(ahead.middle(120), 159.5 - 0.5 * way, 0.5) << "the middle of the exposure";
+  }
 }
 
 TEST(Shutter, BlurLeavesWhatStandsStillSharp) {

@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 
+#include "book/page.h"
 #include "murosimf/math/random.h"
 
 namespace murosimf {
@@ -40,9 +41,16 @@ const auto exactLog = [](long double x) { return std::log(x); };
 const auto exactTanh = [](long double x) { return std::tanh(x); };
 
 TEST(Elementary, SineAndCosineAreWithinTwoUnitsOfTheLastPlaceOfOne) {
+  book::Page page({book::Chapter::kNumbers,
+                   "Sine and cosine are within two units of the last place of one",
+                   R"(\max_{|x| \leq X} |\sin x - \sin_{exact} x|)",
+                   "C library in extended precision; reduction [Cody & Waite 1980], polynomials [Ng, fdlibm]",
+                   {{"X", "range, 200 000 random numbers of it", "rad"}},
+                   {"range $X$", "rad", true},
+                   {"largest error", ""}});
   for (const double range : {0.1, 0.8, 3.2, 100.0, 1e5}) {
-    EXPECT_LT(worst(-range, range, 1, sinOf, exactSin), 2e-16) << range;
-    EXPECT_LT(worst(-range, range, 1, cosOf, exactCos), 2e-16) << range;
+    EXPECT_TRUE(page.series("sine").below(range, worst(-range, range, 1, sinOf, exactSin), 2e-16));
+    EXPECT_TRUE(page.series("cosine").below(range, worst(-range, range, 1, cosOf, exactCos), 2e-16));
   }
 }
 
@@ -73,10 +81,17 @@ TEST(Elementary, SquaresOfSineAndCosineAddUpToOne) {
 }
 
 TEST(Elementary, ExponentialAndLogarithm) {
-  EXPECT_LT(worst(-1, 1, 0, expOf, exactExp), 1.5 * kEpsilon);
-  EXPECT_LT(worst(-690, 690, 0, expOf, exactExp), 1.5 * kEpsilon);
-  EXPECT_LT(worst(0.5, 2, 1e-2, logOf, exactLog), 2 * kEpsilon);
-  EXPECT_LT(worst(1e-300, 1e300, 0, logOf, exactLog), kEpsilon);
+  book::Page page({book::Chapter::kNumbers,
+                   "Exponential and logarithm are within two units of the last place",
+                   R"(\max_{x \leq X} \left| \frac{f(x)}{f_{exact}(x)} - 1 \right|)",
+                   "C library in extended precision; [Cody & Waite 1980]",
+                   {{"X", "range, 200 000 random numbers of it", ""}},
+                   {"end of the range, $\\log_{10} X$", ""},
+                   {"largest error", ""}});
+  EXPECT_TRUE(page.series("exponential").below(0, worst(-1, 1, 0, expOf, exactExp), 1.5 * kEpsilon));
+  EXPECT_TRUE(page.below(std::log10(690), worst(-690, 690, 0, expOf, exactExp), 1.5 * kEpsilon));
+  EXPECT_TRUE(page.series("logarithm").below(std::log10(2), worst(0.5, 2, 1e-2, logOf, exactLog), 2 * kEpsilon));
+  EXPECT_TRUE(page.below(300, worst(1e-300, 1e300, 0, logOf, exactLog), kEpsilon));
   EXPECT_EQ(exp(0.0), 1.0);
   EXPECT_EQ(log(1.0), 0.0);
   EXPECT_EQ(exp(1e9), exp(700.0));
@@ -85,8 +100,15 @@ TEST(Elementary, ExponentialAndLogarithm) {
 }
 
 TEST(Elementary, HyperbolicTangent) {
-  EXPECT_LT(worst(-0.3, 0.3, 0, tanhOf, exactTanh), 4 * kEpsilon);
-  EXPECT_LT(worst(-25, 25, 0, tanhOf, exactTanh), 4 * kEpsilon);
+  book::Page page({book::Chapter::kNumbers,
+                   "The hyperbolic tangent is within four units of the last place",
+                   R"(\max_{|x| \leq X} \left| \frac{\tanh x}{\tanh_{exact} x} - 1 \right|)",
+                   "C library in extended precision; [Cody & Waite 1980]",
+                   {{"X", "range, 200 000 random numbers of it", ""}},
+                   {"range $X$", "", true},
+                   {"largest error", ""}});
+  for (const double range : {0.01, 0.3, 2.0, 25.0})
+    EXPECT_TRUE(page.below(range, worst(-range, range, 0, tanhOf, exactTanh), 4 * kEpsilon));
   EXPECT_EQ(tanh(0.0), 0.0);
   EXPECT_EQ(tanh(1e6), 1.0);
   EXPECT_EQ(tanh(-1e6), -1.0);

@@ -9,6 +9,8 @@
 #include <set>
 #include <vector>
 
+#include "book/page.h"
+
 namespace murosimf {
 namespace {
 
@@ -43,10 +45,18 @@ TEST(RandomStream, NormalNumbersHaveTheirMoments) {
     beyond_three += std::fabs(x) > 3 ? 1 : 0;
   }
   const double n = static_cast<double>(kCount);
-  EXPECT_NEAR(sum / n, 0, 4 / std::sqrt(n));
-  EXPECT_NEAR(squares / n, 1, 4 * std::sqrt(2 / n));
-  EXPECT_NEAR(cubes / n, 0, 4 * std::sqrt(15 / n));
-  EXPECT_NEAR(fourths / n, 3, 4 * std::sqrt(96 / n));
+  book::Page page(
+      {book::Chapter::kNumbers,
+       "Normal random numbers have the moments of the normal distribution",
+       R"(\mathrm{E}(x) = 0, \quad \mathrm{E}(x^2) = 1, \quad \mathrm{E}(x^3) = 0, \quad \mathrm{E}(x^4) = 3)",
+       "[Box & Muller 1958]; allowed: four standard deviations of a mean of 200 000",
+       {},
+       {"power $k$", ""},
+       {"mean of $x^k$", ""}});
+  EXPECT_TRUE(page.near(1, sum / n, 0, 4 / std::sqrt(n)));
+  EXPECT_TRUE(page.near(2, squares / n, 1, 4 * std::sqrt(2 / n)));
+  EXPECT_TRUE(page.near(3, cubes / n, 0, 4 * std::sqrt(15 / n)));
+  EXPECT_TRUE(page.near(4, fourths / n, 3, 4 * std::sqrt(96 / n)));
   EXPECT_NEAR(static_cast<double>(beyond_three) / n, 0.0027, 0.0005);
 }
 
@@ -59,8 +69,15 @@ double correlation(const RandomStream& a, const RandomStream& b, std::uint64_t l
 TEST(RandomStream, StreamsAndStepsAreIndependent) {
   const RandomStream base(1, "robots.red.1", 0);
   const double limit = 4.5 / std::sqrt(static_cast<double>(kCount));
-  EXPECT_LT(std::fabs(correlation(base, base, 1)), limit);
-  EXPECT_LT(std::fabs(correlation(base, base, 2)), limit);
+  book::Page page({book::Chapter::kNumbers,
+                   "Random numbers of one stream are independent of one another",
+                   R"(12 \, \mathrm{E}((x_i - 1/2)(x_{i+k} - 1/2)) = 0)",
+                   "[Steele, Lea, Flood 2014]; allowed: 4.5 standard deviations of a mean of 200 000",
+                   {},
+                   {"lag $k$", ""},
+                   {"correlation", ""}});
+  for (std::uint64_t lag = 1; lag <= 20; ++lag)
+    EXPECT_TRUE(page.near(static_cast<double>(lag), correlation(base, base, lag), 0, limit));
   EXPECT_LT(std::fabs(correlation(base, RandomStream(2, "robots.red.1", 0), 0)), limit);
   EXPECT_LT(std::fabs(correlation(base, RandomStream(1, "robots.red.2", 0), 0)), limit);
   EXPECT_LT(std::fabs(correlation(base, RandomStream(1, "robots.red.1", 1), 0)), limit);

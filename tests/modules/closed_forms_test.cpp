@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "book/page.h"
 #include "modules/test_rig.h"
 
 namespace murosimf::motion {
@@ -58,8 +59,18 @@ TEST(ClosedForms, DoublePendulumKeepsItsEnergyAsTheOrderOfTheMethodSays) {
     }
     return most;
   };
-  EXPECT_NEAR(std::log2(drift("semi_implicit_euler", 1e-3) / drift("semi_implicit_euler", 5e-4)), 1, 0.1);
-  EXPECT_NEAR(std::log2(drift("midpoint", 1e-3) / drift("midpoint", 5e-4)), 2, 0.3);
+  book::Page page(
+      {book::Chapter::kIntegrators,
+       "A double pendulum keeps its energy as the order of the method says",
+       R"(\log_2 \frac{\Delta E(h)}{\Delta E(h/2)} = p)",
+       "[Hairer, Norsett, Wanner 1993]",
+       {{"\\Delta E", "largest change of the energy in 2 s, both rods level at first", "J"}, {"h", "step", "s"}},
+       {"order of the method $p$", ""},
+       {"order found", ""}});
+  page.curve(0.8, 2.2, [](double p) { return p; });
+  EXPECT_TRUE(page.series("semi-implicit Euler")
+                  .near(1, std::log2(drift("semi_implicit_euler", 1e-3) / drift("semi_implicit_euler", 5e-4)), 1, 0.1));
+  EXPECT_TRUE(page.series("midpoint").near(2, std::log2(drift("midpoint", 1e-3) / drift("midpoint", 5e-4)), 2, 0.3));
   const double coarse = drift("runge_kutta_4", 2e-3), fine = drift("runge_kutta_4", 1e-3);
   EXPECT_GT(std::log2(coarse / fine), 3.8);
   EXPECT_LT(fine, 1e-7);
@@ -67,21 +78,33 @@ TEST(ClosedForms, DoublePendulumKeepsItsEnergyAsTheOrderOfTheMethodSays) {
 }
 
 TEST(ClosedForms, RodPendulumSwingsWithThePeriodOfTheEllipticIntegral) {
-  constexpr double kMass = 0.7, kLength = 0.4, kAmplitude = 2.5;  // [kg], [m], [rad]
-  const double k = std::sin(kAmplitude / 2), omega = std::sqrt(1.5 * kGravity / kLength);
-  const double quarter = std::comp_ellint_1(k) / omega;
-  TestRig rig(stand());
-  rig.joint(0, JointKind::kRevolute, kY, {0, 0, 0}, hangingRod(kMass, kLength)).use<Support>("support");
-  rig.link(kExact, quarter / 4);
-  rig.set(0, kAmplitude, 0);
-  rig.run(quarter);
-  EXPECT_NEAR(rig.q(0), 0, 1e-11);
-  EXPECT_NEAR(rig.dq(0), -2 * omega * k, 1e-10);
-  rig.run(quarter);
-  EXPECT_NEAR(rig.q(0), -kAmplitude, 1e-11);
-  rig.run(2 * quarter);
-  EXPECT_NEAR(rig.q(0), kAmplitude, 1e-11);
-  EXPECT_NEAR(rig.dq(0), 0, 1e-10);
+  constexpr double kMass = 0.7, kLength = 0.4;  // [kg], [m]
+  book::Page page({book::Chapter::kMechanisms,
+                   "A rod swings with the period of the elliptic integral, however far it swings",
+                   R"(T = \frac{4 K(k)}{\omega}, \quad k = \sin\frac{q_0}{2}, \quad \omega^2 = \frac{3 g}{2 l})",
+                   "[Landau & Lifshitz 1976, 11]; the angle is compared after quarters of the period",
+                   {{"K", "complete elliptic integral of the first kind", ""},
+                    {"l", "length, here 0.4 m", "m"},
+                    {"q_0", "amplitude: 0.5, 1.5 and 2.5", "rad"}},
+                   {"time over period $t / T$", ""},
+                   {"angle $q$", "rad"}});
+  for (const double amplitude : {0.5, 1.5, 2.5}) {
+    const double k = std::sin(amplitude / 2), omega = std::sqrt(1.5 * kGravity / kLength);
+    const double quarter = std::comp_ellint_1(k) / omega;
+    TestRig rig(stand());
+    rig.joint(0, JointKind::kRevolute, kY, {0, 0, 0}, hangingRod(kMass, kLength)).use<Support>("support");
+    rig.link(kExact, quarter / 4);
+    rig.set(0, amplitude, 0);
+    page.series("$q_0$ =", amplitude);
+    rig.run(quarter);
+    EXPECT_TRUE(page.near(0.25, rig.q(0), 0, 1e-11));
+    EXPECT_NEAR(rig.dq(0), -2 * omega * k, 1e-10);
+    rig.run(quarter);
+    EXPECT_TRUE(page.near(0.5, rig.q(0), -amplitude, 1e-11));
+    rig.run(2 * quarter);
+    EXPECT_TRUE(page.near(1, rig.q(0), amplitude, 1e-11));
+    EXPECT_NEAR(rig.dq(0), 0, 1e-10);
+  }
 }
 
 constexpr double kRodMass = 0.5, kRodLength = 0.6, kRail = 0.4, kHinge = 0.02;  // SI; the last two: viscous friction
@@ -132,11 +155,26 @@ TEST(ClosedForms, MassOnASpringAndADamperSwingsAboutWhereItsWeightPullsIt) {
   rig.use({"servo_controller", "position_servo"}).use<Support>("support");
   rig.link(kExact, 0.1);
   rig.command(0, {0, 0, kForce, 1, 0});  // the servo as a spring about 0
-  rig.run(1);
   const double rest = (kForce - kMass * kGravity) / kStiffness, delta = kDamping / (2 * kMass);
   const double omega = std::sqrt(kStiffness / kMass - delta * delta);
-  const double left = std::exp(-delta) * (std::cos(omega) + delta / omega * std::sin(omega));
-  EXPECT_NEAR(rig.q(0), rest * (1 - left), 1e-11);
+  const auto height = [&](double t) {
+    return rest * (1 - std::exp(-delta * t) * (std::cos(omega * t) + delta / omega * std::sin(omega * t)));
+  };
+  book::Page page(
+      {book::Chapter::kMechanisms,
+       "A mass on a spring and a damper swings about where its weight pulls it",
+       "z = z_0 \\left( 1 - e^{-\\delta t} \\left( \\cos\\omega t + \\frac{\\delta}{\\omega} \\sin\\omega t "
+       "\\right) \\right)\nz_0 = \\frac{F - m g}{k}, \\quad \\delta = \\frac{c}{2 m}, \\quad \\omega^2 = "
+       "\\frac{k}{m} - \\delta^2",
+       "Damped oscillator [Landau & Lifshitz 1976, 25]",
+       {{"F", "force upwards", "N"}, {"k", "stiffness", "N/m"}, {"c", "damping", "N s/m"}},
+       {"time $t$", "s"},
+       {"height $z$", "m"}});
+  page.curve(0, 1, height);
+  for (int i = 1; i <= 10; ++i) {
+    rig.run(0.1);
+    EXPECT_TRUE(page.near(0.1 * i, rig.q(0), height(0.1 * i), 1e-11));
+  }
 }
 
 /// A spinning top on gimbals: precession about z, nutation about x, spin about z again.
@@ -159,16 +197,25 @@ struct Top {
 
 TEST(ClosedForms, TopPrecessesSteadilyAtBothRootsOfItsEquation) {
   constexpr double kNutation = 0.6, kSpin = 90;
-  // I1 W^2 cos(nutation) - I3 w3 W + m g l = 0
+  book::Page page({book::Chapter::kMechanisms,
+                   "A top precesses steadily at both roots of its equation",
+                   R"(I_1 \Omega^2 \cos\vartheta - I_3 \omega_3 \Omega + m g l = 0)",
+                   "Heavy symmetric top [Landau & Lifshitz 1976, 35]",
+                   {{"I_1, I_3", "inertia about the tip, across and along the axis", "kg m^2"},
+                    {"\\vartheta", "nutation, here 0.6", "rad"},
+                    {"\\omega_3", "spin about its own axis, here 90", "rad/s"}},
+                   {"time $t$", "s"},
+                   {"precession angle $\\Omega t$", "rad"}});
   const double a = Top::kAcross * std::cos(kNutation), b = Top::kAxial * kSpin;
   const double root = std::sqrt(b * b - 4 * a * Top::kPull);
   for (const double rate : {(b - root) / (2 * a), (b + root) / (2 * a)}) {
     Top top(kNutation, rate, kSpin, 0.02);
-    for (int i = 0; i < 10; ++i) {
+    page.series("$\\Omega$ [rad/s] =", rate).curve(0, 1, [&](double t) { return rate * t; });
+    for (int i = 1; i <= 10; ++i) {
       top.rig.run(0.1);
       EXPECT_NEAR(top.rig.q(1), kNutation, 1e-9) << rate;
+      EXPECT_TRUE(page.near(0.1 * i, top.rig.q(0), rate * 0.1 * i, 1e-8));
     }
-    EXPECT_NEAR(top.rig.q(0), rate * 1, 1e-8) << rate;
     EXPECT_NEAR(top.rig.dq(0), rate, 1e-7) << rate;
   }
 }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "book/page.h"
 #include "modules/motor_wheel.h"
 #include "murosimf/algorithms/gear_friction.h"
 
@@ -22,11 +23,23 @@ TEST(DcMotor, HoldsItsStallTorqueAgainstWhatCannotBeMoved) {
 TEST(DcMotor, RunsUpToItsNoLoadSpeedWithItsTimeConstant) {
   MotorWheel w("runge_kutta_4", 1e-4, {.inertia = 0.005});
   const double time_constant = (0.005 + kRotor) * kR / (kK * kK);
+  const auto speed = [&](double t) { return kNoLoadSpeed * (1 - std::exp(-t / time_constant)); };
+  book::Page page({book::Chapter::kServos,
+                   "A direct-current motor runs up with its mechanical time constant",
+                   R"(\dot q = \omega_0 \left( 1 - e^{-t/T} \right), \quad T = \frac{(J + J_m) R}{k^2})",
+                   "J q'' = k/R (U - k q') [Duclusaud et al. 2025]",
+                   {{"k", "torque constant at the joint", "N m/A"},
+                    {"R", "resistance", "ohm"},
+                    {"J, J_m", "inertia of link and rotor", "kg m^2"},
+                    {"\\omega_0", "no-load speed", "rad/s"}},
+                   {"time $t$", "s"},
+                   {"speed $\\dot q$", "rad/s"}});
+  page.curve(0, 0.1, speed);
   w.set(-500, 0);
   w.command(kFarAhead);
-  for (int i = 1; i <= 3; ++i) {
+  for (int i = 1; i <= 10; ++i) {
     w.run(0.01);
-    EXPECT_NEAR(w.dq(), kNoLoadSpeed * (1 - std::exp(-0.01 * i / time_constant)), 1e-8);
+    EXPECT_TRUE(page.near(0.01 * i, w.dq(), speed(0.01 * i), 1e-8));
   }
   w.run(20 * time_constant);
   EXPECT_NEAR(w.dq(), kNoLoadSpeed, 1e-6);
@@ -36,10 +49,27 @@ TEST(DcMotor, SwingsLikeAnOscillatorDampedByItsBackEmf) {
   MotorWheel w("runge_kutta_4", 1e-3, {.inertia = 0.2});
   const double J = 0.2 + kRotor, stiffness = kK / kR * kSupply * kGain;
   const double delta = kK * kK / kR / (2 * J), omega = std::sqrt(stiffness / J - delta * delta);
+  const auto angle = [&](double t) {
+    return 0.1 * (1 - std::exp(-delta * t) * (std::cos(omega * t) + delta / omega * std::sin(omega * t)));
+  };
+  book::Page page(
+      {book::Chapter::kServos,
+       "A motor with proportional control swings like an oscillator damped by its back EMF",
+       "q = q_d \\left( 1 - e^{-\\delta t} \\left( \\cos\\omega t + \\frac{\\delta}{\\omega} \\sin\\omega t "
+       "\\right) \\right)\n\\delta = \\frac{k^2}{2 R J}, \\quad \\omega^2 = \\frac{k U K}{R J} - \\delta^2",
+       "Damped oscillator; model of the motor [Duclusaud et al. 2025]",
+       {{"U", "supply", "V"},
+        {"K", "gain of the firmware", "1/rad"},
+        {"k", "torque constant", "N m/A"},
+        {"J", "inertia with rotor", "kg m^2"}},
+       {"time $t$", "s"},
+       {"angle $q$", "rad"}});
+  page.curve(0, 1, angle);
   w.command({0.1, 0, 0, 1, 0});
-  w.run(0.2);
-  const double rest = std::exp(-delta * 0.2) * (std::cos(omega * 0.2) + delta / omega * std::sin(omega * 0.2));
-  EXPECT_NEAR(w.q(), 0.1 * (1 - rest), 1e-6);
+  for (int i = 1; i <= 20; ++i) {
+    w.run(0.05);
+    EXPECT_TRUE(page.near(0.05 * i, w.q(), angle(0.05 * i), 1e-6));
+  }
 }
 
 TEST(DcMotor, TakesNoMoreCurrentThanItsFirmwareAllows) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "book/page.h"
 #include "modules/single_body.h"
 #include "murosimf/algorithms/contact_law.h"
 
@@ -77,11 +78,22 @@ TEST(GroundContact, HuntCrossleyReturnsTheRootOfItsEquation) {
 }
 
 TEST(GroundContact, DryFrictionStopsABoxAfterTheLengthOfCoulombsLaw) {
-  SingleBody b(box(), turf(), 1e-3, "hunt_crossley_contact", "implicit_euler");
-  b.set({Rotation3{}, {0, 0, 0.03 - kMass * kG / 1e4}}, {{}, {1, 0, 0}});
-  b.run(1);
-  EXPECT_NEAR(b.pose().translation.x, 1 / (2 * 0.6 * kG), 1e-3);
-  EXPECT_LT(std::fabs(b.worldVelocity().x), 1e-6);
+  book::Page page({book::Chapter::kFriction,
+                   "A sliding box stops after the length of Coulomb's law",
+                   R"(s = \frac{v_0^2}{2 \mu g})",
+                   "Coulomb's law",
+                   {{"\\mu", "coefficient of friction, here 0.6", ""}},
+                   {"speed at first $v_0$", "m/s"},
+                   {"way until it stands $s$", "m"}});
+  const auto way = [](double v) { return v * v / (2 * 0.6 * kG); };
+  page.curve(0, 1.1, way);
+  for (const double speed : {0.3, 0.5, 0.8, 1.0}) {
+    SingleBody b(box(), turf(), 1e-3, "hunt_crossley_contact", "implicit_euler");
+    b.set({Rotation3{}, {0, 0, 0.03 - kMass * kG / 1e4}}, {{}, {speed, 0, 0}});
+    b.run(1);
+    EXPECT_TRUE(page.near(speed, b.pose().translation.x, way(speed), 1e-3));
+    EXPECT_LT(std::fabs(b.worldVelocity().x), 1e-6);
+  }
 }
 
 TEST(GroundContact, ViscousFrictionSlowsABoxExponentially) {
@@ -89,18 +101,47 @@ TEST(GroundContact, ViscousFrictionSlowsABoxExponentially) {
   pair.viscous_friction = 0.5;
   SingleBody b(box(), pair, 1e-3, "smooth_contact", "implicit_euler");
   b.set({Rotation3{}, {0, 0, 0.03 - 2 / 1.3 * kMass * kG / 1e4}}, {{}, {0.5, 0, 0}});
-  b.run(0.4);
-  EXPECT_NEAR(b.worldVelocity().x, 0.5 * std::exp(-0.5 * kG * 0.4), 2e-3);
+  book::Page page({book::Chapter::kFriction,
+                   "Viscous friction slows a box of a robot's dynamics exponentially",
+                   R"(v = v_0 \, e^{-c_v g t})",
+                   "Newton with friction c_v F_n v [Friedmann 2007]",
+                   {{"c_v", "viscous friction, here 0.5", "s/m"}},
+                   {"time $t$", "s"},
+                   {"speed $v$", "m/s"}});
+  const auto speed = [](double t) { return 0.5 * std::exp(-0.5 * kG * t); };
+  page.curve(0, 0.4, speed);
+  for (int i = 1; i <= 8; ++i) {
+    b.run(0.05);
+    EXPECT_TRUE(page.near(0.05 * i, b.worldVelocity().x, speed(0.05 * i), 2e-3));
+  }
 }
 
 TEST(GroundContact, SlidingBallRollsAwayWithFiveSeventhsOfItsSpeed) {
+  book::Page page(
+      {book::Chapter::kRolling,
+       "A solid ball that slides rolls away with 5/7 of its speed",
+       "v = v_0 - \\mu g t, \\quad r \\omega = \\frac{5}{2} \\mu g t \\quad \\mathrm{until} \\; v = r \\omega = "
+       "\\frac{5}{7} v_0",
+       "Coulomb's law, I = 2/5 m r^2",
+       {{"\\mu", "coefficient of friction, here 0.6", ""}, {"\\omega", "spin", "rad/s"}},
+       {"time $t$", "s"},
+       {"speed", "m/s"}});
   SurfacePair pair = turf();
   SingleBody b(ball(0.05), pair, 1e-3, "hunt_crossley_contact", "implicit_euler");
   b.set({Rotation3{}, {0, 0, 0.05 - kMass * kG / 1e4}}, {{}, {1, 0, 0}});
-  b.run(0.5);
-  const double rate = 5.0 / 7;
-  EXPECT_NEAR(b.worldVelocity().x, rate, 0.01);
-  EXPECT_NEAR((b.pose().rotation * b.velocity().w).y * 0.05, rate, 0.01);
+  const auto speed = [](double t) { return std::max(5.0 / 7, 1 - 0.6 * kG * t); };
+  const auto spin = [](double t) { return std::min(5.0 / 7, 2.5 * 0.6 * kG * t); };
+  page.series("$v$").curve(0, 0.15, speed), page.series("$r \\omega$").curve(0, 0.15, spin);
+  for (int i = 1; i <= 15; ++i) {
+    b.run(0.01);
+    EXPECT_TRUE(page.series("$v$").near(0.01 * i, b.worldVelocity().x, speed(0.01 * i), 0.01));
+    const double turning = (b.pose().rotation * b.velocity().w).y * 0.05;
+    // While it slides its lever is shorter than r by the depth of the contact, 2 mm of 50.
+    EXPECT_TRUE(page.series("$r \\omega$").near(0.01 * i, turning, spin(0.01 * i), i < 6 ? 0.025 : 0.01));
+  }
+  b.run(0.35);
+  EXPECT_NEAR(b.worldVelocity().x, 5.0 / 7, 0.01);
+  EXPECT_NEAR((b.pose().rotation * b.velocity().w).y * 0.05, 5.0 / 7, 0.01);
 }
 
 /// Whether a tall box that leans by `angle` about its lower edge falls onto its side.

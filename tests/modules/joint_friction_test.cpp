@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "book/page.h"
 #include "modules/driven_wheel.h"
 
 namespace murosimf::motion {
@@ -21,14 +22,23 @@ struct RubbingWheel : Wheels {
 };
 
 TEST(JointFriction, SlowsAWheelDownLinearly) {
-  RubbingWheel w("runge_kutta_4", 1e-3);
-  w.set(0, -5);
-  w.run(0.9);
-  EXPECT_NEAR(w.dq(), -0.5, 1e-9);  // -5 + f/J 0.9 s
-  RubbingWheel ahead("implicit_euler", 1e-3);
-  ahead.set(0, -5);
-  ahead.run(0.9);
-  EXPECT_NEAR(ahead.dq(), -0.5, 3e-3);  // 0.0115 were friction to go by the speed of the moment
+  book::Page page({book::Chapter::kServos,
+                   "Dry friction in a joint slows it down linearly",
+                   R"(\dot q = \dot q_0 + \frac{f}{J} t)",
+                   "Coulomb's law",
+                   {{"f", "friction, here 0.1", "N m"}, {"J", "inertia, here 0.02", "kg m^2"}},
+                   {"time $t$", "s"},
+                   {"speed $\\dot q$", "rad/s"}});
+  RubbingWheel w("runge_kutta_4", 1e-3), ahead("implicit_euler", 1e-3);
+  w.set(0, -5), ahead.set(0, -5);
+  page.series("Runge-Kutta 4").curve(0, 0.9, [](double t) { return -5 + kFriction / kInertia * t; });
+  for (int i = 1; i <= 9; ++i) {
+    const double t = 0.1 * i, expected = -5 + kFriction / kInertia * t;
+    w.run(0.1), ahead.run(0.1);
+    EXPECT_TRUE(page.series("Runge-Kutta 4").near(t, w.dq(), expected, 1e-9));
+    // 0.0115 were friction to go by the speed of the moment
+    EXPECT_TRUE(page.series("implicit Euler").near(t, ahead.dq(), expected, 3e-3));
+  }
 }
 
 TEST(JointFriction, StopsAWheelForGood) {
@@ -67,12 +77,22 @@ TEST(JointFriction, LetsWhatPushesMoreAccelerateByTheDifference) {
 
 TEST(JointFriction, IsLargestAtRest) {
   constexpr double kStribeck = 0.06, kSpeed = 0.2, kStep = 1e-6;
+  book::Page page({book::Chapter::kServos,
+                   "Friction of a joint is largest at rest and falls with speed",
+                   R"(f = f_c + f_s \, e^{-(\dot q / v_s)^2})",
+                   "Stribeck's curve [Armstrong-Hélouvry et al. 1994]",
+                   {{"f_c", "Coulomb's friction, here 0.1", "N m"},
+                    {"f_s", "more at rest, here 0.06", "N m"},
+                    {"v_s", "Stribeck's speed, here 0.2", "rad/s"}},
+                   {"speed $\\dot q$", "rad/s", true},
+                   {"friction $f$", "N m"}});
+  page.curve(0.02, 5, [](double v) { return kFriction + kStribeck * std::exp(-v * v / (kSpeed * kSpeed)); });
   for (const double speed : {0.05, 0.2, 0.5, 3.0}) {
     RubbingWheel w("explicit_euler", kStep, 0, kStribeck, kSpeed);
     w.set(0, speed);
     w.step();
     const double f = kFriction + kStribeck * std::exp(-speed * speed / (kSpeed * kSpeed));
-    EXPECT_NEAR((speed - w.dq()) / kStep * kInertia, f, 1e-9) << speed;
+    EXPECT_TRUE(page.near(speed, (speed - w.dq()) / kStep * kInertia, f, 1e-9));
   }
   RubbingWheel held("implicit_euler", 1e-3, kFriction + 0.9 * kStribeck, kStribeck, kSpeed);
   held.run(2);

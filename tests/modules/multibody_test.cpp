@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "book/page.h"
 #include "modules/flying_robots.h"
 
 namespace murosimf::motion {
@@ -15,11 +16,24 @@ TEST(MultibodyDynamics, CentreOfMassFliesAParabolaAndMomentumStaysWhileLimbsSwin
   FlyingRobots flight(1, "runge_kutta_4", 1e-4);
   flight.toss(0, 3);
   const auto before = flight.mechanics(0);
-  flight.run(kTime);
+  book::Page page({book::Chapter::kFlight,
+                   "The centre of mass flies a parabola while all limbs swing",
+                   R"(z = z_0 + \frac{p_z}{m} t - \frac{g}{2} t^2)",
+                   "Law of the centre of mass, KS21 with 21 joints",
+                   {{"p_z", "momentum upwards at first", "kg m/s"}, {"m", "mass", "kg"}},
+                   {"time $t$", "s"},
+                   {"height of the centre of mass $z$", "m"}});
+  const auto flown = [&](double t) {
+    return before.centre + before.linear * (t / before.mass) + Vector3{0, 0, -0.5 * 9.81 * t * t};
+  };
+  page.curve(0, kTime, [&](double t) { return flown(t).z; });
+  for (int i = 1; i <= 10; ++i) {
+    flight.run(kTime / 10);
+    const double t = i * kTime / 10;
+    EXPECT_TRUE(page.near(t, flight.mechanics(0).centre.z, flown(t).z, 1e-10));
+  }
   const auto after = flight.mechanics(0);
-  const Vector3 expected =
-      before.centre + before.linear * (kTime / before.mass) + Vector3{0, 0, -0.5 * 9.81 * kTime * kTime};
-  EXPECT_LT(norm(after.centre - expected), 1e-10);
+  EXPECT_LT(norm(after.centre - flown(kTime)), 1e-10);
   const Vector3 fall{0, 0, -before.mass * 9.81 * kTime};
   EXPECT_LT(norm(after.linear - before.linear - fall), 1e-10 * norm(before.linear));
   EXPECT_LT(norm(after.angular - before.angular), 1e-10 * norm(before.angular));
@@ -52,8 +66,19 @@ class Integrators : public testing::TestWithParam<OrderOf> {};
 
 TEST_P(Integrators, ConvergeWithTheirOrder) {
   const OrderOf& p = GetParam();
-  const double ratio = errorOf(p.integrator, p.step) / errorOf(p.integrator, p.step / 2);
-  EXPECT_NEAR(std::log2(ratio), p.order, 0.15);
+  book::Page page({book::Chapter::kIntegrators,
+                   "The error of each integrator falls with the order of its method",
+                   R"(\epsilon(h/2) = 2^{-p} \epsilon(h))",
+                   "[Hairer, Norsett, Wanner 1993]; theory: from the error at the larger step",
+                   {{"\\epsilon", "distance of base and joints of a tossed KS21 from a much finer run", ""},
+                    {"p", "order of the method", ""}},
+                   {"step $h$", "s", true},
+                   {"error $\\epsilon$", "", true}});
+  const double coarse = errorOf(p.integrator, p.step), fine = errorOf(p.integrator, p.step / 2);
+  const auto falling = [&](double h) { return coarse * std::pow(h / p.step, p.order); };
+  page.curve(p.step / 2, p.step, falling);
+  EXPECT_TRUE(page.near(p.step / 2, fine, falling(p.step / 2), falling(p.step / 2) * (std::exp2(0.15) - 1)));
+  EXPECT_NEAR(std::log2(coarse / fine), p.order, 0.15);
 }
 
 INSTANTIATE_TEST_SUITE_P(Orders, Integrators,

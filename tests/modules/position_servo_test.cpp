@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "book/page.h"
 #include "modules/driven_wheel.h"
 
 namespace murosimf::motion {
@@ -19,21 +20,48 @@ struct DrivenWheel : Wheels {
 };
 
 TEST(PositionServo, SwingsLikeADampedOscillator) {
+  book::Page page(
+      {book::Chapter::kServos,
+       "The step response of a servo is that of a damped oscillator",
+       "q = q_d \\left( 1 - e^{-\\delta t} \\left( \\cos\\omega t + \\frac{\\delta}{\\omega} \\sin\\omega t "
+       "\\right) \\right)\n\\delta = \\frac{k_d}{2 J}, \\quad \\omega^2 = \\frac{k_p}{J} - \\delta^2",
+       "Damped oscillator [Landau & Lifshitz 1976, 25]",
+       {{"q_d", "commanded angle, here 0.1", "rad"},
+        {"k_p, k_d", "gains of position and velocity, here 8 and 0.1", "N m/rad, N m s/rad"},
+        {"J", "inertia, here 0.02", "kg m^2"}},
+       {"time $t$", "s"},
+       {"angle $q$", "rad"}});
   DrivenWheel w("runge_kutta_4", 1e-3);
   w.command({0.1, 0, 0, 1, 0});
-  w.run(0.2);
   const double delta = kDrag / (2 * kInertia), omega = std::sqrt(kGain / kInertia - delta * delta);
-  const double rest = std::exp(-delta * 0.2) * (std::cos(omega * 0.2) + delta / omega * std::sin(omega * 0.2));
-  EXPECT_NEAR(w.q(), 0.1 * (1 - rest), 1e-7);
+  const auto angle = [&](double t) {
+    return 0.1 * (1 - std::exp(-delta * t) * (std::cos(omega * t) + delta / omega * std::sin(omega * t)));
+  };
+  page.curve(0, 0.6, angle);
+  for (int i = 1; i <= 30; ++i) {
+    w.run(0.02);
+    EXPECT_TRUE(page.near(0.02 * i, w.q(), angle(0.02 * i), 1e-7));
+  }
 }
 
 TEST(PositionServo, PushesAlongItsTorqueSpeedLine) {
   DrivenWheel w("runge_kutta_4", 1e-3);
   w.set(-2.9, 0);
-  w.command({2.9, 0, 0, 1, 0});  // so far away that the motor gives all it has
-  w.run(0.1);
+  w.command({2.9, 0, 0, 1, 0});                       // so far away that the motor gives all it has
   const double rate = kStall / (kInertia * kNoLoad);  // dq' = (stall / J) (1 - dq / no_load_speed)
-  EXPECT_NEAR(w.dq(), kNoLoad * (1 - std::exp(-rate * 0.1)), 1e-6);
+  const auto speed = [&](double t) { return kNoLoad * (1 - std::exp(-rate * t)); };
+  book::Page page({book::Chapter::kServos,
+                   "A servo far from its goal runs up along its torque-speed line",
+                   R"(J \ddot q = \tau_0 \left( 1 - \frac{\dot q}{\omega_0} \right))",
+                   "Direct-current motor at constant voltage",
+                   {{"\\tau_0", "stall torque, here 2", "N m"}, {"\\omega_0", "no-load speed, here 10", "rad/s"}},
+                   {"time $t$", "s"},
+                   {"speed $\\dot q$", "rad/s"}});
+  page.curve(0, 0.2, speed);
+  for (int i = 1; i <= 10; ++i) {
+    w.run(0.02);
+    EXPECT_TRUE(page.near(0.02 * i, w.dq(), speed(0.02 * i), 1e-6));
+  }
 }
 
 TEST(PositionServo, BrakesWithNoMoreThanItsStallTorque) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "book/page.h"
 #include "modules/motor_wheel.h"
 #include "murosimf/modules/actuation/servo_controller.h"
 
@@ -52,13 +53,21 @@ TEST(CommandedGains, BelowZeroCountAsZero) {
 
 TEST(EncoderSteps, MakeTheServoSeeItsPositionInSteps) {
   constexpr double kResolution = 0.005;
-  for (const double q : {0.0, 0.002, 0.0026, -0.0074, 0.1249, 1.0}) {
+  book::Page page({book::Chapter::kServos,
+                   "A servo with an encoder sees its position in steps",
+                   R"(\tau = k_p (q_d - \Delta \, \mathrm{round}(q / \Delta)))",
+                   "Definition of the encoder",
+                   {{"\\Delta", "resolution, here 0.005", "rad"}, {"q_d", "commanded, here 0.3", "rad"}},
+                   {"angle $q$", "rad"},
+                   {"torque $\\tau$", "N m"}});
+  page.curve(-0.012, 0.022, [](double q) { return kStiffness * (0.3 - kResolution * std::round(q / kResolution)); });
+  for (const double q : {0.0, 0.002, 0.0026, -0.0074, 0.006, 0.0124, 0.0126, 0.02}) {
     ServoWheel w("explicit_euler", {{"encoder_steps", written(1)}}, 0, kResolution, 0, 1e-6);
     w.set(q, 0);
     w.command({0.3, 0, 0, 1, 0});
     w.step();
     const double seen = kResolution * std::round(q / kResolution);
-    EXPECT_NEAR(w.dq() / 1e-6 * kInertia, kStiffness * (0.3 - seen), 1e-8) << q;
+    EXPECT_TRUE(page.near(q, w.dq() / 1e-6 * kInertia, kStiffness * (0.3 - seen), 1e-8));
   }
 }
 
@@ -105,11 +114,20 @@ TEST(DelaySteps, ThatAreNotWholeAreRefused) {
 constexpr double kPlay = 0.02;
 
 TEST(Backlash, LetsAPushedJointRestAtTheEdgeOfThePlay) {
-  for (const double push : {0.4, -0.4}) {
+  book::Page page(
+      {book::Chapter::kServos,
+       "A pushed joint rests at the edge of its gear's play",
+       R"(q = q_d \pm \frac{b}{2} + \frac{\tau}{k_p})",
+       "Balance of the push and the servo's spring",
+       {{"b", "play, here 0.02", "rad"}, {"k_p", "gain, here 8", "N m/rad"}, {"q_d", "commanded, here 0.5", "rad"}},
+       {"push $\\tau$", "N m"},
+       {"angle $q$", "rad"}});
+  for (const double push : {0.4, 0.2, 0.1, -0.1, -0.2, -0.4}) {
+    page.curve(-0.5, 0.5, [](double tau) { return 0.5 + std::copysign(kPlay / 2, tau) + tau / kStiffness; });
     ServoWheel w("implicit_euler", {}, push, 0, kPlay);
     w.command({0.5, 0, 0, 1, 0});
     w.run(12);
-    EXPECT_NEAR(w.q(), 0.5 + std::copysign(kPlay / 2, push) + push / kStiffness, 1e-9);
+    EXPECT_TRUE(page.near(push, w.q(), 0.5 + std::copysign(kPlay / 2, push) + push / kStiffness, 1e-9));
   }
 }
 

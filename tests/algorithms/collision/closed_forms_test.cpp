@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/collision/random_pairs.h"
+#include "book/page.h"
 
 namespace murosimf::collision_test {
 namespace {
@@ -74,6 +75,13 @@ TEST(ClosedForm, TwoBoxesOverlapByTheLeastOfFifteenAxes) {
 }
 
 TEST(ClosedForm, TwoCapsulesOverlapByTheDistanceOfTheirAxes) {
+  book::Page page({book::Chapter::kCollisions,
+                   "Two capsules overlap by the distance of their axes",
+                   R"(d = \max(0, \; r_1 + r_2 - \mathrm{dist}(a_1, a_2)))",
+                   "Geometry; the distance is searched along one axis",
+                   {{"a_1, a_2", "axes, as segments", ""}, {"r_1, r_2", "radii", "m"}},
+                   {"distance of the axes less the radii", "m"},
+                   {"depth $d$", "m"}});
   Dice dice(201);
   for (int i = 0; i < kPoses; ++i) {
     const Pair pair = randomPair(CollisionKind::kCapsule, CollisionKind::kCapsule, dice);
@@ -81,7 +89,11 @@ TEST(ClosedForm, TwoCapsulesOverlapByTheDistanceOfTheirAxes) {
     const double distance = leastOf(-half, half, [&](double s) {
       return distanceToSegment(pair.X_WA * Vector3{0, 0, s}, pair.X_WB, pair.b.half_size.z);
     });
-    ASSERT_NEAR(depthOf(pair), max(0.0, pair.a.half_size.x + pair.b.half_size.x - distance), 1e-9) << i;
+    const double overlap = pair.a.half_size.x + pair.b.half_size.x - distance;
+    if (i % 20 == 0) {
+      ASSERT_TRUE(page.near(-overlap, depthOf(pair), max(0.0, overlap), 1e-9)) << i;
+    }
+    ASSERT_NEAR(depthOf(pair), max(0.0, overlap), 1e-9) << i;
   }
 }
 
@@ -118,17 +130,38 @@ TEST(ClosedForm, ABoxAndTheHullOfItsCornersAreTheSameToASphere) {
 }
 
 TEST(ClosedForm, DepthsOnThePlaneAreThoseOfTheTextbook) {
+  book::Page page({book::Chapter::kCollisions,
+                   "Tilted shapes are as deep in a plane as the textbook says",
+                   "d_{box} = a s + b c - h, \\quad d_{cylinder} = r s + b c - h, \\quad d_{capsule} = r + b c - h\n"
+                   R"(d_{ellipsoid} = \sqrt{a^2 s^2 + b^2 c^2} - h, \quad d_{sphere} = r - h)",
+                   "Support functions of the shapes",
+                   {{"s, c", "sine and cosine of the tilt", ""},
+                    {"a, b, r", "half edges, half lengths, radii", "m"},
+                    {"h", "height of the centre, here 0.03", "m"}},
+                   {"tilt", "rad"},
+                   {"depth $d$", "m"}});
   const CollisionShape plane = collisionPlane();
-  const double angle = 0.3, height = 0.1, s = sin(angle), c = cos(angle);
-  const auto depth = [&](const CollisionShape& shape) {
-    return depthOf({plane, shape, {}, {rotationX(angle), {2, 3, height}}});
+  constexpr double kHeight = 0.03;
+  struct Textbook {
+    const char* name;
+    CollisionShape shape;
+    double (*reach)(double s, double c);  ///< of the shape downwards from its centre
   };
-  EXPECT_NEAR(depth(collisionSphere(0.12)), 0.02, 1e-12);
-  EXPECT_NEAR(depth(collisionBox({0.2, 0.1, 0.3})), 0.05 * s + 0.15 * c - height, 1e-12);
-  EXPECT_NEAR(depth(collisionCylinder(0.05, 0.3)), 0.05 * s + 0.15 * c - height, 1e-12);
-  EXPECT_NEAR(depth(collisionCapsule(0.05, 0.3)), 0.05 + 0.15 * c - height, 1e-12);
-  EXPECT_NEAR(depth(collisionEllipsoid({0.05, 0.06, 0.15})), sqrt(0.06 * 0.06 * s * s + 0.15 * 0.15 * c * c) - height,
-              1e-12);
+  const Textbook all[] = {
+      {"sphere", collisionSphere(0.12), [](double, double) { return 0.12; }},
+      {"box", collisionBox({0.2, 0.1, 0.3}), [](double s, double c) { return 0.05 * s + 0.15 * c; }},
+      {"cylinder", collisionCylinder(0.07, 0.3), [](double s, double c) { return 0.07 * s + 0.15 * c; }},
+      {"capsule", collisionCapsule(0.05, 0.3), [](double, double c) { return 0.05 + 0.15 * c; }},
+      {"ellipsoid", collisionEllipsoid({0.05, 0.06, 0.15}),
+       [](double s, double c) { return sqrt(0.06 * 0.06 * s * s + 0.15 * 0.15 * c * c); }}};
+  for (const Textbook& each : all) {
+    const auto depth = [&](double angle) { return each.reach(sin(angle), cos(angle)) - kHeight; };
+    page.series(each.name).curve(0, 1.5, depth);
+    for (const double angle : {0.05, 0.3, 0.6, 0.9, 1.2, 1.5}) {
+      const double found = depthOf({plane, each.shape, {}, {rotationX(angle), {2, 3, kHeight}}});
+      EXPECT_TRUE(page.near(angle, found, depth(angle), 1e-12)) << each.name;
+    }
+  }
 }
 
 TEST(ClosedForm, PlanesDoNotTouchOneAnother) {
