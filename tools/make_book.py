@@ -174,7 +174,7 @@ def draw_series(upper, lower, series, colour, mark, size):
     upper.plot(x, found, zorder=3, **style)
     if series["bounded"]:
         bounds = sorted(zip(x, tolerance))
-        upper.plot(*zip(*bounds), "_" if len(set(x)) == 1 else "--", color=colour, linewidth=1, markersize=14)
+        upper.plot(*zip(*bounds), "--" if len(set(tolerance)) == 1 < len(set(x)) else "_", color=colour, linewidth=1, markersize=14)
     else:
         upper.errorbar(x, theory, yerr=tolerance, fmt="none", color=colour, capsize=3, linewidth=1, alpha=0.6)
         if not series["curve_x"]:
@@ -216,7 +216,7 @@ tr.chapter td { padding-top: 1em; font-weight: bold }
 .formula { margin: 1em 0 1em 1.5em } .formula img { display: block; margin: .5em 0; max-width: 100% }
 .plot { width: 100%; max-width: 760px } .failed { background: #d55e00; color: white; padding: .1em .6em; font-weight: bold }
 .passed { color: #00714f } .bar { display: inline-block; height: .7em; background: #0072b2 } a { color: #005a8c }
-section { margin-bottom: 3.5em } img.letter { vertical-align: middle }
+section { margin-bottom: 3.5em } .series { font-size: 12px }
 @media print { section { break-before: page; margin: 0 } h2.chapter { break-before: page } h2 + section { break-before: auto }
   body { font-size: 12px; margin: 0; max-width: none } a { color: inherit; text-decoration: none } }
 """
@@ -262,6 +262,9 @@ def section_of(page):
             text.append(draw(page))
         except (ValueError, OverflowError) as error:
             raise BadPage(f'{page["test"]}: error: cannot be plotted: {error}') from error
+    names = list(dict.fromkeys(series["name"] for series in page["series"] if series["name"]))
+    if len(names) > LEGEND_AT_MOST:
+        text.append(f'<p class="series">{len(names)} series: {html.escape("; ".join(names))}.</p>')
     largest, count = page["largest"], sum(len(series["x"]) for series in page["series"])
     unit = prose(page["y"]["unit"])
     text.append(f"<p>{verdict(page)}: {count} comparison{'s' if count != 1 else ''}; the one nearest to its tolerance differs by "

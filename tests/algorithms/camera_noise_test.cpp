@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "algorithms/camera_scene.h"
+#include "book/page.h"
 
 namespace murosimf {
 namespace {
@@ -55,11 +56,21 @@ TEST(CameraNoise, FillsTheNormalDistributionsQuantiles) {
   Wall wall;
   const Picture& p = wall.shoot(0.1F, noiseKey(2, "head", 5));
   const double in_bytes = 25.5;
+  const auto normal = [](double z) { return 0.5 * std::erfc(-z / std::sqrt(2.0)); };
+  book::Page page({book::Chapter::kPictures,
+                   "Noise of pictures fills the quantiles of the normal distribution",
+                   R"(P(x < z \sigma) = \frac{1}{2} \mathrm{erfc}\left( -\frac{z}{\sqrt{2}} \right))",
+                   "Normal distribution, of 921 600 bytes",
+                   {{"\\sigma", "standard deviation, here 25.5 bytes", ""}},
+                   {"quantile $z$", ""},
+                   {"share of bytes below", ""}});
+  page.curve(-3, 3, normal);
   for (const double z : {-2.5, -1.5, -0.5, 0.5, 1.5, 2.5}) {
     const double cut = std::floor(127.5 + z * in_bytes) + 0.5;
     double below = 0;
     for (const std::uint8_t byte : p.rgb) below += byte < cut;
-    EXPECT_NEAR(below / double(p.rgb.size()), 0.5 * std::erfc(-(cut - 127.5) / in_bytes / std::sqrt(2.0)), 0.003) << z;
+    const double at = (cut - 127.5) / in_bytes;
+    EXPECT_TRUE(page.near(at, below / double(p.rgb.size()), normal(at), 0.003)) << z;
   }
 }
 

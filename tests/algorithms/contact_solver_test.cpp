@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "book/page.h"
 #include "contact_scene.h"
 
 namespace murosimf {
@@ -49,14 +50,25 @@ TEST(PairSolver, KeepsMomentumOfTwoBallsThatCollideObliquelyWithFriction) {
 }
 
 TEST(PairSolver, EqualBallsExchangeTheirVelocities) {
-  ContactScene scene;
-  scene.frame.gravity = {};
-  scene.addBall({}, {0, 0, 0});
-  scene.addBall({}, {-0.3, 0, 0}, {1.5, 0, 0});
-  scene.addBallPair(0, 1, smoothSurface(1e4, 1));
-  scene.advance(0.5);
-  EXPECT_NEAR(scene.ball(0).velocity.x, 1.5, 0.02);
-  EXPECT_NEAR(scene.ball(1).velocity.x, 0, 0.02);
+  book::Page page({book::Chapter::kRestAndImpact,
+                   "Equal balls exchange their velocities",
+                   R"(v_1 = u_2, \quad v_2 = u_1)",
+                   "Elastic impact: momentum and energy are kept",
+                   {{"u, v", "speeds before and after; the first ball was at rest", "m/s"}},
+                   {"speed of the second ball before $u_2$", "m/s"},
+                   {"speeds after $v$", "m/s"}});
+  page.series("first ball").curve(0.4, 2.6, [](double speed) { return speed; });
+  page.series("second ball").curve(0.4, 2.6, [](double) { return 0.0; });
+  for (const double speed : {0.5, 1.0, 1.5, 2.5}) {
+    ContactScene scene;
+    scene.frame.gravity = {};
+    scene.addBall({}, {0, 0, 0});
+    scene.addBall({}, {-0.3, 0, 0}, {speed, 0, 0});
+    scene.addBallPair(0, 1, smoothSurface(1e4, 1));
+    scene.advance(0.5);
+    EXPECT_TRUE(page.series("first ball").near(speed, scene.ball(0).velocity.x, speed, 0.02 * max(1.0, speed / 1.5)));
+    EXPECT_TRUE(page.series("second ball").near(speed, scene.ball(1).velocity.x, 0, 0.02 * max(1.0, speed / 1.5)));
+  }
 }
 
 TEST(PairSolver, StackedBallsRestAtTheDepthsOfTheirLoads) {
@@ -208,8 +220,15 @@ TEST(PairSolver, FreeTopKeepsMomentumExactlyAndEnergyToSecondOrder) {
     }
     EXPECT_NEAR(norm(angularMomentum(scene.ball()) - L), 0, 1e-12);
   }
+  book::Page page({book::Chapter::kIntegrators,
+                   "A ball that tumbles freely keeps its energy to the second order",
+                   R"(\frac{\Delta E(2 h)}{\Delta E(h)} = 2^2)",
+                   "[Hairer, Lubich, Wanner 2006]; its momentum is kept exactly",
+                   {{"\\Delta E", "largest share of the energy lost or gained in 5 s", ""}, {"h", "step", "s"}},
+                   {"step $h$", "s"},
+                   {"ratio of errors", ""}});
   EXPECT_LT(error[1], 3e-5);
-  EXPECT_NEAR(error[0] / error[1], 4, 1);
+  EXPECT_TRUE(page.near(1e-3, error[0] / error[1], 4, 1));
 }
 
 TEST(PairSolver, FlightIsTheParabola) {
@@ -217,9 +236,20 @@ TEST(PairSolver, FlightIsTheParabola) {
   scene.addBall({}, {0, 0, 20}, {1, 2, 3});
   scene.addGround(0, {});
   scene.ball().force_W = {0.0205, 0, 0};
-  scene.advance(1.0);
-  const Vector3 expected{1 + 0.05, 2, 20 + 3 - 0.5 * 9.81};
-  EXPECT_NEAR(norm(scene.ball().X_WB.translation - expected), 0, 1e-11);
+  book::Page page({book::Chapter::kFlight,
+                   "A ball in flight is on its parabola",
+                   R"(z = z_0 + v_z t - \frac{g}{2} t^2)",
+                   "Newton; the step is exact for constant forces",
+                   {{"v_z", "speed upwards at first, here 3", "m/s"}},
+                   {"time $t$", "s"},
+                   {"height $z$", "m"}});
+  const auto flown = [](double t) { return Vector3{t + 0.05 * t * t, 2 * t, 20 + 3 * t - 0.5 * 9.81 * t * t}; };
+  page.curve(0, 1, [&](double t) { return flown(t).z; });
+  for (int i = 1; i <= 10; ++i) {
+    scene.advance(0.1);
+    EXPECT_TRUE(page.near(0.1 * i, scene.ball().X_WB.translation.z, flown(0.1 * i).z, 1e-11));
+    EXPECT_NEAR(norm(scene.ball().X_WB.translation - flown(0.1 * i)), 0, 1e-11);
+  }
 }
 
 TEST(PairSolver, PartnersGetTheOppositeImpulseAboutTheirOrigins) {

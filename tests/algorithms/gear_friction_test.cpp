@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "book/page.h"
+
 namespace murosimf {
 namespace {
 
@@ -55,12 +57,24 @@ const Model kModels[] = {
 };
 
 TEST(GearFriction, IsThatOfEachModelOfItsSource) {
+  book::Page page(
+      {book::Chapter::kServos,
+       "Friction of gears is that of each model of its source",
+       "f = K_c + |K_m \\tau_m - K_e \\tau_e| + s(\\omega) (K_{cs} + |K_{ms} \\tau_m - K_{es} \\tau_e| + q)\n"
+       R"(s(\omega) = e^{-|\omega / \omega_s|^\alpha})",
+       "[Duclusaud et al. 2025], models M1 to M6; here for a load of 4.1 N m against the motor's 4 N m",
+       {{"K", "coefficients of the model, 0 where it has none", ""}, {"q", "quadratic part of M6", "N m"}},
+       {"speed $\\omega$", "rad/s"},
+       {"friction $f$", "N m"}});
   for (const Model& model : kModels) {
     for (const double t_m : {-3.0, -0.4, 0.0, 1.0, 4.0}) {
       for (const double t_e : {-4.1, -0.5, 0.0, 0.3, 2.0}) {
         for (const double w : {-5.0, -0.7, 0.0, 1e-4, 0.3, 2.0}) {
-          EXPECT_NEAR(gearFriction(model.parameters, t_m, t_e, w), model.size(t_m, t_e, w), 1e-14)
-              << model.name << " " << t_m << " " << t_e << " " << w;
+          const double found = gearFriction(model.parameters, t_m, t_e, w);
+          EXPECT_NEAR(found, model.size(t_m, t_e, w), 1e-14) << model.name << " " << t_m << " " << t_e << " " << w;
+          if (t_m != 4.0 || t_e != -4.1) continue;
+          page.series(model.name).curve(-5, 2, [&](double speed) { return model.size(4.0, -4.1, speed); });
+          EXPECT_TRUE(page.near(w, found, model.size(t_m, t_e, w), 1e-14));
         }
       }
     }

@@ -35,7 +35,7 @@ TEST(LensModels, RayOfAPixelFallsOnThatPixelAgainForTwentyLenses) {
                    "Definition of the inverse; 41 times 41 pixels of each lens",
                    {{"\\pi", "projection of a ray", "px"}},
                    {"lens, of 20", ""},
-                   {"largest error", "px"}});
+                   {"largest error", "px", true}});
   int number = 0;
   for (const auto& [name, camera] : lenses) {
     EXPECT_EQ(refusal(camera), "") << name;
@@ -133,8 +133,18 @@ TEST(LensModels, RationalAndPrismFollowOpenCVsFormula) {
 
 TEST(LensModels, RationalLensEndsWhereItsCurveStopsGrowing) {
   // r / (1 + k s) grows until s = 1 / k, to 1 / (2 sqrt(k)).
-  const CameraModel camera = rational(640, 480, 500, 500, 319.5, 239.5, {0, 0, 0, 0, 0, 0.8});
-  EXPECT_NEAR(validRadius(camera), std::sqrt(1 / 0.8), 1e-12);
+  book::Page page({book::Chapter::kLenses,
+                   "A rational lens ends where its curve stops growing",
+                   R"(r_d = \frac{r}{1 + k r^2} \quad \mathrm{grows \; until} \; r = \frac{1}{\sqrt{k}})",
+                   "First maximum of the curve",
+                   {{"r, r_d", "slope of a ray before and behind the lens", ""}},
+                   {"number of the lens $k$", ""},
+                   {"slope at the end $r$", ""}});
+  page.curve(0.4, 1.6, [](double k) { return 1 / std::sqrt(k); });
+  for (const double k : {0.5, 0.8, 1.2, 1.5}) {
+    const CameraModel camera = rational(640, 480, 500, 500, 319.5, 239.5, {0, 0, 0, 0, 0, k});
+    EXPECT_TRUE(page.near(k, validRadius(camera), 1 / std::sqrt(k), 1e-12));
+  }
   const CameraModel wide = rational(640, 480, 500, 500, 319.5, 239.5, {0, 0, 0, 0, 0, 1.0});
   EXPECT_NEAR(validRadius(wide), 1.0, 1e-12);
   const std::string message = refusal(wide);  // its corner asks for 0.8, there is 0.5

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "algorithms/random_tree.h"
+#include "book/page.h"
 #include "murosimf/algorithms/inverse_dynamics.h"
 
 namespace murosimf::test {
@@ -180,13 +181,23 @@ RandomTree<double> rodPendulum(double m, double l, double q, double dq) {
 }
 
 TEST(TreeDynamics, RodPendulumFollowsItsClosedForm) {
+  book::Page page(
+      {book::Chapter::kMechanisms,
+       "Forward dynamics of a rod pendulum is its closed form",
+       R"(\ddot q = \frac{3 (\tau + m g \frac{l}{2} \cos q)}{m l^2})",
+       "Euler about the joint [Featherstone 2008]",
+       {{"\\tau", "torque, here 0.3", "N m"}, {"m", "mass, here 0.7", "kg"}, {"l", "length, here 0.4", "m"}},
+       {"angle $q$", "rad"},
+       {"acceleration $\\ddot q$", "rad/s^2"}});
   const double m = 0.7, l = 0.4, tau = 0.3;
+  const auto acceleration = [&](double q) { return 3 * (tau + m * 9.81 * l / 2 * std::cos(q)) / (m * l * l); };
+  page.curve(-2, 3, acceleration);
   for (const double q : {-2.0, -0.4, 0.0, 0.9, 3.0}) {
     RandomTree<double> t = rodPendulum(m, l, q, 1.7);
     t.torque[0] = tau;
     articulatedBody(t.tree(), t.articulated());
     // The rod lies along +x at q = 0 and turns about +y: a positive q lowers its end.
-    EXPECT_NEAR(t.ddq[0], 3 * (tau + m * 9.81 * l / 2 * std::cos(q)) / (m * l * l), 1e-9) << q;
+    EXPECT_TRUE(page.near(q, t.ddq[0], acceleration(q), 1e-9));
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "book/page.h"
 #include "modules/test_rig.h"
 #include "murosimf/modules/integration/dormand_prince.h"
 
@@ -124,10 +125,21 @@ struct Ball {
 };
 
 TEST(ContactEvents, ImpactAndReleaseAreFoundToATenthOfANanosecond) {
+  book::Page page(
+      {book::Chapter::kIntegrators,
+       "A ball on springs bounces as its closed form says, event by event",
+       "m \\ddot z = -m g \\quad \\mathrm{for} \\; z \\geq 0\n"
+       R"(m \ddot z = -m g - k z - c \dot z \quad \mathrm{for} \; z < 0)",
+       "Parabolas and damped oscillations, joined where z = 0",
+       {{"k", "stiffness, here 5000", "N/m"}, {"c", "damping, here 10", "N s/m"}, {"m", "mass, here 0.5", "kg"}},
+       {"time $t$", "s"},
+       {"height $z$", "m"}});
+  page.curve(0, kTime, [](double t) { return BouncingBall(kDrop, t).z; });
   Ball ball(dormandPrince(1e-11));
   std::vector<double> found;
   for (int i = 0; i < 50; ++i) {
     ball.frame();
+    EXPECT_TRUE(page.near(0.01 * (i + 1), ball.z(), BouncingBall(kDrop, 0.01 * (i + 1)).z, 1e-10));
     ASSERT_LE(ball.rig.get(kEventCount), 1);
     if (ball.rig.get(kEventCount) == 1) found.push_back(ball.rig.get(kEventTime));
   }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "book/page.h"
 #include "modules/single_body.h"
 
 namespace murosimf::motion {
@@ -34,12 +35,24 @@ TEST(DynamicInertialSensor, AtRestItFeelsTheGroundPushUpwardInItsOwnAxes) {
 }
 
 TEST(DynamicInertialSensor, InFreeFallItFeelsOnlyItsCircleAboutTheCentreOfMass) {
-  const Vector3 p{0.05, 0.02, 0.01}, w{0, 0, 7};
-  SingleBody b(boxWithImu({Rotation3{}, p}), hardGround(), 1e-3, "hunt_crossley_contact", "runge_kutta_4");
-  b.set({rotationX(0.4), {0, 0, 5}}, {w, {1, 2, 3}});  // about a principal axis: w stays
-  b.run(0.2);
-  EXPECT_LT(norm(b.accelerometer() - cross(w, cross(w, p))), 1e-9);
-  EXPECT_LT(norm(b.gyroscope() - w), 1e-9);
+  book::Page page({book::Chapter::kSensors,
+                   "In free fall an accelerometer feels only its circle about the centre of mass",
+                   R"(f = -\omega^2 p_x)",
+                   "Specific force of a point of a falling body that spins about a principal axis",
+                   {{"p_x", "place of the unit, here 0.05", "m"}},
+                   {"rate $\\omega$", "rad/s"},
+                   {"specific force along x $f$", "m/s^2"}});
+  const Vector3 p{0.05, 0.02, 0.01};
+  page.curve(0, 10, [&](double rate) { return -rate * rate * p.x; });
+  for (const double rate : {0.0, 3.0, 7.0, 10.0}) {
+    const Vector3 w{0, 0, rate};
+    SingleBody b(boxWithImu({Rotation3{}, p}), hardGround(), 1e-3, "hunt_crossley_contact", "runge_kutta_4");
+    b.set({rotationX(0.4), {0, 0, 5}}, {w, {1, 2, 3}});  // about a principal axis: w stays
+    b.run(0.2);
+    EXPECT_TRUE(page.near(rate, b.accelerometer().x, -rate * rate * p.x, 1e-9));
+    EXPECT_LT(norm(b.accelerometer() - cross(w, cross(w, p))), 1e-9);
+    EXPECT_LT(norm(b.gyroscope() - w), 1e-9);
+  }
 }
 
 TEST(FootPressure, OfAStandingRobotIsItsWeightAndItsCentreLiesUnderTheCentreOfMass) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "book/page.h"
 #include "modules/dynamic_world.h"
 #include "modules/test_rig.h"
 
@@ -15,6 +16,14 @@ namespace {
 constexpr int kZ = 2;
 
 TEST(FlightTruth, FlywheelTurnsItsBaseBackByTheRatioOfInertiasWhateverItsSpeed) {
+  book::Page page({book::Chapter::kFlight,
+                   "A flywheel turns its base back by the ratio of inertias",
+                   R"(\psi = -\frac{I_r}{I_b + I_r} q)",
+                   "Angular momentum is kept; servo, friction and method do not matter",
+                   {{"\\psi", "heading of the base", "rad"},
+                    {"I_b, I_r", "inertia of base and rotor, here 0.05 and 0.02", "kg m^2"}},
+                   {"angle of the rotor $q$", "rad"},
+                   {"heading $\\psi$", "rad"}});
   constexpr double kBase = 0.05, kRotor = 0.02;  // [kg m^2]
   for (const char* integrator : {"implicit_euler", "midpoint", "runge_kutta_4", "dormand_prince"}) {
     TestRig rig(rigidBody(2, {0.1, 0.1, kBase}));
@@ -26,7 +35,8 @@ TEST(FlightTruth, FlywheelTurnsItsBaseBackByTheRatioOfInertiasWhateverItsSpeed) 
     for (int i = 0; i < 20; ++i) {
       rig.run(0.1);
       const Pose X = rig.get(kBasePose);
-      EXPECT_NEAR(headingOf(X), -kRotor / (kBase + kRotor) * rig.q(0), 1e-12) << integrator;
+      page.series(integrator).curve(0, 2, [](double q) { return -kRotor / (kBase + kRotor) * q; });
+      EXPECT_TRUE(page.near(rig.q(0), headingOf(X), -kRotor / (kBase + kRotor) * rig.q(0), 1e-12));
     }
     EXPECT_NEAR(rig.q(0), kPi / 2, 1e-5) << integrator;
   }
@@ -155,14 +165,27 @@ struct FreeTop {
 };
 
 TEST(FlightTruth, FreeTopTumblesAsJacobisEllipticFunctions) {
+  book::Page page(
+      {book::Chapter::kFlight,
+       "A free top tumbles as Jacobi's elliptic functions say",
+       "\\omega_1 = a_1 \\mathrm{cn}(u), \\quad \\omega_2 = a_2 \\mathrm{sn}(u), \\quad \\omega_3 = a_3 "
+       "\\mathrm{dn}(u), \\quad u = u_0 + \\lambda t",
+       "[Landau & Lifshitz 1976, 37]; functions [Abramowitz & Stegun 1964, 16.4]",
+       {{"\\omega_i", "angular velocity in the body's axes, 10 rad/s about the middle one at first", "rad/s"},
+        {"a_i, \\lambda, u_0", "from energy, momentum and the moments of inertia 0.01, 0.02, 0.03 kg m^2", ""}},
+       {"time $t$", "s"},
+       {"angular velocity $\\omega_i$", "rad/s"}});
+  page.series("$\\omega_1$").curve(0, 5, [](double t) { return freeTop(t).x; });
+  page.series("$\\omega_2$").curve(0, 5, [](double t) { return freeTop(t).y; });
+  page.series("$\\omega_3$").curve(0, 5, [](double t) { return freeTop(t).z; });
   FreeTop top({"dormand_prince", {{"tolerance", 1e-13}}}, 0.05);
   EXPECT_LT(norm(freeTop(0) - kSpin), 1e-12) << "the closed form is to begin where the body does";
-  for (int i = 0; i < 5; ++i) {
-    top.rig.run(1);
-    const Vector3 expected = freeTop(i + 1), found = top.w();
-    EXPECT_NEAR(found.x, expected.x, 1e-8) << i;
-    EXPECT_NEAR(found.y, expected.y, 1e-8) << i;
-    EXPECT_NEAR(found.z, expected.z, 1e-8) << i;
+  for (int i = 1; i <= 25; ++i) {
+    top.rig.run(0.2);
+    const Vector3 expected = freeTop(0.2 * i), found = top.w();
+    EXPECT_TRUE(page.series("$\\omega_1$").near(0.2 * i, found.x, expected.x, 1e-8));
+    EXPECT_TRUE(page.series("$\\omega_2$").near(0.2 * i, found.y, expected.y, 1e-8));
+    EXPECT_TRUE(page.series("$\\omega_3$").near(0.2 * i, found.z, expected.z, 1e-8));
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "book/page.h"
 #include "modules/single_body.h"
 #include "murosimf/algorithms/ground_law.h"
 #include "murosimf/math/random.h"
@@ -83,14 +84,31 @@ TEST(GroundLaws, TurningFrictionSlowsSpinAndRollingExponentially) {
                roll = spin * 0.4 / 1.4;
   SingleBody spinning(ball(), pair, 1e-3, "hunt_crossley_contact", "implicit_euler");
   spinning.set({Rotation3{}, {0, 0, height}}, {{0, 0, 10}, {}});
-  spinning.run(0.3);
-  EXPECT_NEAR(spinning.velocity().w.z, 10 * std::exp(-spin * 0.3), 0.01 * 10 * std::exp(-spin * 0.3));
+  book::Page page(
+      {book::Chapter::kRolling,
+       "Turning friction slows spin and rolling exponentially",
+       "\\frac{\\omega}{\\omega_0} = e^{-\\lambda t}, \\quad \\lambda_{spin} = \\frac{c_t g}{\\beta r^2}, \\quad "
+       "\\lambda_{roll} = \\frac{c_t g}{(1 + \\beta) r^2}",
+       "Newton and Euler with a torque c_t m g w",
+       {{"c_t", "turning friction, here 0.0005", "m s"}, {"\\beta", "inertia over m r^2, here 2/5", ""}},
+       {"time $t$", "s"},
+       {"rate over rate at first", ""}});
+  page.series("spins").curve(0, 0.3, [&](double t) { return std::exp(-spin * t); });
+  page.series("rolls").curve(0, 0.3, [&](double t) { return std::exp(-roll * t); });
+  for (int i = 1; i <= 6; ++i) {
+    const double t = 0.05 * i, expected = std::exp(-spin * t);
+    spinning.run(0.05);
+    EXPECT_TRUE(page.series("spins").near(t, spinning.velocity().w.z / 10, expected, 0.01 * expected));
+  }
   // Slowly: what a step that looks ahead adds to a point as mass resists its way around the ball too, by v^2/r.
   constexpr double kSpeed = 0.2;
   SingleBody rolling(ball(), pair, 1e-3, "hunt_crossley_contact", "implicit_euler");
   rolling.set({Rotation3{}, {0, 0, height}}, {{0, kSpeed / kRadius, 0}, {kSpeed, 0, 0}});
-  rolling.run(0.3);
-  EXPECT_NEAR(rolling.worldVelocity().x, kSpeed * std::exp(-roll * 0.3), 0.01 * kSpeed);
+  for (int i = 1; i <= 6; ++i) {
+    rolling.run(0.05);
+    EXPECT_TRUE(
+        page.series("rolls").near(0.05 * i, rolling.worldVelocity().x / kSpeed, std::exp(-roll * 0.05 * i), 0.01));
+  }
 }
 
 // The law's spring, without loss, is that of the mean of its branches.

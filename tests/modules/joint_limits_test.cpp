@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "book/page.h"
 #include "modules/driven_wheel.h"
 
 namespace murosimf::motion {
@@ -28,12 +29,19 @@ struct StoppedWheel : Wheels {
 };
 
 TEST(JointLimits, RestAsDeepAsTheSpringNeeds) {
+  book::Page page({book::Chapter::kServos,
+                   "A joint that is pushed against its stop rests as deep as the stop's spring needs",
+                   R"(q = q_{max} + \frac{\tau}{\tau_0} g, \quad q = q_{min} + \frac{\tau}{\tau_0} g)",
+                   "Balance of push and spring",
+                   {{"\\tau_0", "stall torque of the servo", "N m"}, {"g", "how much the stop gives under it", "rad"}},
+                   {"push $\\tau / \\tau_0$", ""},
+                   {"angle $q$", "rad"}});
   for (const char* integrator : {"implicit_euler", "runge_kutta_4"}) {
     StoppedWheel up(integrator, 1e-3, kStall), down(integrator, 1e-3, -0.5 * kStall);
     up.set(0.99, 0), down.set(-0.49, 0);
     up.run(2), down.run(2);
-    EXPECT_NEAR(up.q(), 1 + kGive, 1e-9) << integrator;
-    EXPECT_NEAR(down.q(), -0.5 - 0.5 * kGive, 1e-9) << integrator;
+    EXPECT_TRUE(page.series(integrator).near(1, up.q(), 1 + kGive, 1e-9));
+    EXPECT_TRUE(page.near(-0.5, down.q(), -0.5 - 0.5 * kGive, 1e-9));
   }
 }
 
@@ -48,15 +56,30 @@ TEST(JointLimits, DoNothingWithinTheRange) {
 TEST(JointLimits, ReturnADampedHalfSwing) {
   // J x'' + c x' + k x = 0 from x = 0 with the speed v: x' = v e^-dt (cos wt - d/w sin wt). The stop lets go where its
   // force has come down to zero: x'' = 0, tan wt = 2 d w / (d^2 - w^2).
-  StoppedWheel w("runge_kutta_4", 1e-5, 0, {{"damping_ratio", written(0.2)}});
-  const double J = kInertia + kArmature, c = 2 * 0.2 * std::sqrt(kStiffness * kArmature);
-  const double d = c / (2 * J), omega = std::sqrt(kStiffness / J - d * d);
-  const double t = std::atan2(2 * d * omega, d * d - omega * omega) / omega;
-  const double out = 2 * std::exp(-d * t) * (std::cos(omega * t) - d / omega * std::sin(omega * t));
-  w.set(0.9, 2);
-  w.run(0.4);
-  EXPECT_NEAR(w.dq(), out, 1e-3);
-  EXPECT_GT(-w.dq(), 1);
+  book::Page page(
+      {book::Chapter::kServos,
+       "A joint comes back from its stop after a damped half swing",
+       "J \\ddot x + c \\dot x + k x = 0, \\quad x(0) = 0, \\quad \\dot x(0) = v, \\quad \\mathrm{until} \\; \\ddot x "
+       "= 0\n"
+       R"(c = 2 D \sqrt{k J_m})",
+       "Damped oscillator; the stop lets go where its force has come down to zero",
+       {{"D", "damping ratio", ""}, {"J", "inertia with the rotor's J_m", "kg m^2"}, {"v", "speed, here 2", "rad/s"}},
+       {"damping ratio $D$", ""},
+       {"speed after the stop $\\dot q$", "rad/s"}});
+  const auto after = [](double ratio) {
+    const double J = kInertia + kArmature, c = 2 * ratio * std::sqrt(kStiffness * kArmature);
+    const double d = c / (2 * J), omega = std::sqrt(kStiffness / J - d * d);
+    const double t = std::atan2(2 * d * omega, d * d - omega * omega) / omega;
+    return 2 * std::exp(-d * t) * (std::cos(omega * t) - d / omega * std::sin(omega * t));
+  };
+  page.curve(0.01, 0.6, after);
+  for (const double ratio : {0.05, 0.2, 0.5}) {
+    StoppedWheel w("runge_kutta_4", 1e-5, 0, {{"damping_ratio", written(ratio)}});
+    w.set(0.9, 2);
+    w.run(0.4);
+    EXPECT_TRUE(page.near(ratio, w.dq(), after(ratio), 1e-3));
+    EXPECT_GT(-w.dq(), 1);
+  }
 }
 
 TEST(JointLimits, NeverGiveEnergy) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "book/page.h"
 #include "modules/stilt_walker.h"
 
 namespace murosimf::motion {
@@ -42,22 +43,43 @@ double distance(const Pose& a, const Pose& b) {
 }
 
 TEST(KinematicWalking, StepLengthsAddUp) {
-  const Path path = stiltWalk(std::vector<Stride>(100, Stride{0.07, 0}), 13);
-  Walk walk(path.front());
-  const Pose start = walk.motion.sole(walk.robot, kRight);
-  walk.follow(path);
-  const Pose end = walk.motion.sole(walk.robot, kRight);
-  EXPECT_EQ(walk.motion.get(walk.robot, kStanceSide), 0);
-  EXPECT_NEAR(end.translation.x - start.translation.x, 100 * 0.07, 1e-12);
-  EXPECT_NEAR(end.translation.y, start.translation.y, 1e-13);
+  book::Page page({book::Chapter::kRobots,
+                   "Step lengths of kinematic walking add up",
+                   "x = N a",
+                   "The stance foot stands [Friedmann 2007]",
+                   {{"a", "length of a step, here 0.07", "m"}},
+                   {"number of steps $N$", ""},
+                   {"way of the foot $x$", "m"}});
+  page.curve(0, 100, [](double steps) { return 0.07 * steps; });
+  for (const std::size_t steps : {2U, 10U, 50U, 100U}) {
+    const Path path = stiltWalk(std::vector<Stride>(steps, Stride{0.07, 0}), 13);
+    Walk walk(path.front());
+    const Pose start = walk.motion.sole(walk.robot, kRight);
+    walk.follow(path);
+    const Pose end = walk.motion.sole(walk.robot, kRight);
+    const double count = static_cast<double>(steps);
+    EXPECT_EQ(walk.motion.get(walk.robot, kStanceSide), 0);
+    EXPECT_TRUE(page.near(count, end.translation.x - start.translation.x, count * 0.07, 1e-12));
+    EXPECT_NEAR(end.translation.y, start.translation.y, 1e-13);
+  }
 }
 
 TEST(KinematicWalking, TurnsAddUp) {
-  const Path path = stiltWalk(std::vector<Stride>(30, Stride{0.0, 0.1}), 13);
-  Walk walk(path.front());
-  const double start = headingOf(walk.motion.sole(walk.robot, kRight));
-  walk.follow(path);
-  EXPECT_NEAR(headingOf(walk.motion.sole(walk.robot, kRight)) - start, 30 * 0.1, 1e-12);
+  book::Page page({book::Chapter::kRobots,
+                   "Turns of kinematic walking add up",
+                   R"(\psi = N \delta)",
+                   "The stance foot stands [Friedmann 2007]",
+                   {{"\\delta", "turn of a step, here 0.1", "rad"}},
+                   {"number of steps $N$", ""},
+                   {"turn of the foot $\\psi$", "rad"}});
+  page.curve(0, 30, [](double steps) { return 0.1 * steps; });
+  for (const std::size_t steps : {2U, 10U, 20U, 30U}) {
+    const Path path = stiltWalk(std::vector<Stride>(steps, Stride{0.0, 0.1}), 13);
+    Walk walk(path.front());
+    const double start = headingOf(walk.motion.sole(walk.robot, kRight)), count = static_cast<double>(steps);
+    walk.follow(path);
+    EXPECT_TRUE(page.near(count, headingOf(walk.motion.sole(walk.robot, kRight)) - start, count * 0.1, 1e-12));
+  }
 }
 
 TEST(KinematicWalking, AFullTurnOfEqualStepsEndsWhereItBegan) {

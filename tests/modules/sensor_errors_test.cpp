@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "book/page.h"
 #include "murosimf/linking/linker.h"
 #include "murosimf/linking/outside_access.h"
 #include "murosimf/linking/robot_module.h"
@@ -128,13 +129,22 @@ TEST(SensorErrors, NoiseHasItsDeviationAndIsWhiteAndTheAxesAreIndependent) {
     last = now;
   }
   const double one = 4 / std::sqrt(kCount);  // four deviations of a mean of kCount numbers
+  book::Page page(
+      {book::Chapter::kSensors,
+       "Noise of sensors is normal and white, and independent on its axes",
+       "\\mathrm{E}(n) = 0, \\quad \\mathrm{E}(n^2) = \\sigma^2, \\quad \\mathrm{E}(n_x^4) = 3 \\sigma^4\n"
+       R"(\mathrm{E}(n_k n_{k+1}) = 0, \quad \mathrm{E}(n_x n_y) = 0)",
+       "White noise: its spectrum is flat, as nothing is correlated from sample to sample; allowed: four deviations",
+       {{"n", "noise of a gyroscope, 100 000 samples", "rad/s"}, {"\\sigma", "standard deviation, here 0.2", "rad/s"}},
+       {"axis (0: x, 1: y, 2: z)", ""},
+       {"mean, in powers of $\\sigma$", ""}});
   for (int i = 0; i < 3; ++i) {
-    EXPECT_NEAR(sum[i] / kCount, 0, one);
-    EXPECT_NEAR(square[i] / kCount, 1, one * std::sqrt(2));
-    EXPECT_NEAR(next[i] / kCount, 0, one);
-    EXPECT_NEAR(across[i] / kCount, 0, one);
+    EXPECT_TRUE(page.series("$n$").near(i, sum[i] / kCount, 0, one));
+    EXPECT_TRUE(page.series("$n^2$").near(i, square[i] / kCount, 1, one * std::sqrt(2)));
+    EXPECT_TRUE(page.series("$n_k n_{k+1}$").near(i, next[i] / kCount, 0, one));
+    EXPECT_TRUE(page.series("$n_x n_y$").near(i, across[i] / kCount, 0, one));
   }
-  EXPECT_NEAR(fourth / kCount, 3, one * std::sqrt(96));
+  EXPECT_TRUE(page.series("$n^4$").near(0, fourth / kCount, 3, one * std::sqrt(96)));
 }
 
 TEST(SensorErrors, PairsOfNormalNumbersBeginWithThatOfTheStream) {

@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "book/page.h"
 #include "modules/oracle_scene.h"
 #include "murosimf/modules/camera/random_events.h"
 
@@ -75,13 +76,23 @@ TEST(SightDistorter, BearingAndDistanceHaveTheirMeanAndDeviation) {
 }
 
 TEST(SightDistorter, MissesHaveTheirProbability) {
-  SightErrors errors;
-  errors.miss = 0.3;
-  Told told(errors);
-  constexpr int kCount = 20000;
-  double seen = 0;
-  for (std::uint64_t i = 0; i < kCount; ++i) seen += static_cast<double>(told.balls(i).size());
-  EXPECT_NEAR(seen, 0.7 * kCount, 4 * std::sqrt(kCount * 0.3 * 0.7));
+  book::Page page({book::Chapter::kSensors,
+                   "An oracle's eye misses with the probability that is asked for",
+                   R"(\frac{n}{N} = 1 - p)",
+                   "Bernoulli trials; allowed: four standard deviations of 20 000 pictures",
+                   {{"p", "probability of a miss", ""}, {"n", "times that the ball was seen", ""}},
+                   {"probability of a miss $p$", ""},
+                   {"share of pictures with the ball", ""}});
+  page.curve(0, 1, [](double p) { return 1 - p; });
+  for (const double miss : {0.05, 0.3, 0.7}) {
+    SightErrors errors;
+    errors.miss = miss;
+    Told told(errors);
+    constexpr int kCount = 20000;
+    double seen = 0;
+    for (std::uint64_t i = 0; i < kCount; ++i) seen += static_cast<double>(told.balls(i).size());
+    EXPECT_TRUE(page.near(miss, seen / kCount, 1 - miss, 4 * std::sqrt(miss * (1 - miss) / kCount)));
+  }
 }
 
 TEST(SightDistorter, FalsePerceptsAreOfPoissonAndLieInTheirRange) {
@@ -103,9 +114,17 @@ TEST(SightDistorter, FalsePerceptsAreOfPoissonAndLieInTheirRange) {
   }
   const double none = std::exp(-0.5);
   const std::array<double, 4> shares{none, none / 2, none / 8, 1 - none * 1.625};
+  book::Page page({book::Chapter::kSensors,
+                   "False percepts of an oracle's eye are of Poisson",
+                   R"(P(k) = \frac{\lambda^k}{k!} e^{-\lambda})",
+                   "Poisson's distribution; here allowed: five standard deviations of a count",
+                   {{"\\lambda", "false percepts a picture, here 0.5", ""}},
+                   {"false percepts in a picture $k$ (3: and more)", ""},
+                   {"share of pictures $P$", ""}});
   double chi_square = 0;
   for (std::size_t i = 0; i < 4; ++i) {
-    const double expected = kCount * shares[i];
+    const double expected = kCount * shares[i], deviation = std::sqrt(shares[i] * (1 - shares[i]) / kCount);
+    EXPECT_TRUE(page.near(static_cast<double>(i), pictures[i] / kCount, shares[i], 5 * deviation));
     chi_square += (pictures[i] - expected) * (pictures[i] - expected) / expected;
   }
   EXPECT_LT(chi_square, 21.1) << "of 3 degrees of freedom: one in 10 000";

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <random>
 
+#include "book/page.h"
 #include "modules/dynamic_world.h"
 #include "modules/stilt_walker.h"
 #include "modules/tree_momentum.h"
@@ -89,6 +90,14 @@ RobotBlueprint flywheel(double base_inertia, double wheel_inertia) {
 }
 
 TEST(SimplifiedFlight, FlywheelTurnsItsBaseBackByTheRatioOfInertiasHoweverItTurns) {
+  book::Page page({book::Chapter::kFlight,
+                   "In simplified dynamics, too, a flywheel turns its base back by the ratio of inertias",
+                   R"(\psi = -\frac{I_w}{I_b + I_w} q)",
+                   "Angular momentum is kept, however fast the wheel turns",
+                   {{"I_b, I_w", "inertia of base and wheel, here 0.015 and 0.003", "kg m^2"},
+                    {"q", "turn of the wheel, here 2.5", "rad"}},
+                   {"speed of the wheel", "rad/s"},
+                   {"heading of the base $\\psi$", "rad"}});
   constexpr double kBase = 0.015, kWheel = 0.003, kTurn = 2.5;
   for (const double step : {1e-3, 1e-2}) {
     for (const double speed : {5.0, 23.0, 50.0}) {
@@ -97,7 +106,8 @@ TEST(SimplifiedFlight, FlywheelTurnsItsBaseBackByTheRatioOfInertiasHoweverItTurn
       world.link(simplified(""));
       world.linked().handle(robot, kJointCommand, subset::kJoints).set({kTurn, speed, 0, 1, 0});
       world.run(1);
-      EXPECT_NEAR(headingOf(world.base(robot)), -kWheel / (kBase + kWheel) * kTurn, 1e-12) << step << " " << speed;
+      page.series("step [s] =", step).curve(4, 51, [](double) { return -kWheel / (kBase + kWheel) * kTurn; });
+      EXPECT_TRUE(page.near(speed, headingOf(world.base(robot)), -kWheel / (kBase + kWheel) * kTurn, 1e-12));
       EXPECT_NEAR(norm(world.get(robot, kBaseVelocity).w), 0, 1e-12);
     }
   }
@@ -128,7 +138,14 @@ double energyErrorOfTop(double step) {
 TEST(SimplifiedFlight, TumblingBodyKeepsItsEnergyToTheSecondOrder) {
   const double coarse = energyErrorOfTop(2e-3), fine = energyErrorOfTop(1e-3);
   EXPECT_LT(fine, 1e-5);
-  EXPECT_NEAR(std::log2(coarse / fine), 2, 0.25);
+  book::Page page({book::Chapter::kIntegrators,
+                   "The midpoint rule of simplified dynamics keeps a tumbling body's energy to the second order",
+                   R"(\log_2 \frac{\Delta E(2 h)}{\Delta E(h)} = 2)",
+                   "[Hairer, Lubich, Wanner 2006]",
+                   {{"\\Delta E", "largest share of the energy lost or gained in 5 s", ""}, {"h", "step", "s"}},
+                   {"step $h$", "s"},
+                   {"order found", ""}});
+  EXPECT_TRUE(page.near(1e-3, std::log2(coarse / fine), 2, 0.25));
 }
 
 constexpr double kRhythm = 9;  // [rad/s]

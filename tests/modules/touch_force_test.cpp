@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "book/page.h"
 #include "modules/single_body.h"
 #include "modules/test_rig.h"
 
@@ -19,17 +20,33 @@ SurfacePair hardGround() {
 Vector3 sensedForce(TestRig& rig, int sensor = 0) { return rig.get(kSensedForce, subset::kForceSensors, sensor); }
 
 TEST(ForceSensor, FeelsWhatAPendulumDoesToItsPivot) {
-  const double m = 2, l = 0.3, I_C = 0.05, I = I_C + m * l * l, q = 0.7, w = 3;
-  TestRig rig(stand());
-  rig.joint(0, JointKind::kRevolute, 1, {0.1, 0, 0}, shifted(rigidBody(m, {0.04, I_C, 0.02}), Vector3{0, 0, -l}));
-  rig.forceSensor(0).use({"force_sensor"}).use<Support>("support");
-  rig.link("explicit_euler", 1e-3);
-  rig.set(0, q, w);
-  rig.run(1e-3);  // one evaluation, in the state that was set
-  const Vector3 felt = sensedForce(rig);
-  EXPECT_NEAR(felt.x, m * kG * std::sin(q) * (1 - m * l * l / I), 1e-9);
-  EXPECT_NEAR(felt.y, 0, 1e-9);
-  EXPECT_NEAR(felt.z, -m * (kG * std::cos(q) + l * w * w), 1e-9);
+  book::Page page({book::Chapter::kSensors,
+                   "A force sensor feels what a pendulum does to its pivot",
+                   "f_x = m g \\sin q \\left( 1 - \\frac{m l^2}{I} \\right)\n"
+                   R"(f_z = -m (g \cos q + l \omega^2))",
+                   "Newton and Euler of a physical pendulum",
+                   {{"m", "mass, here 2", "kg"},
+                    {"l", "from the pivot to the centre of mass, here 0.3", "m"},
+                    {"I", "inertia about the pivot", "kg m^2"},
+                    {"\\omega", "rate, here 3", "rad/s"}},
+                   {"angle $q$", "rad"},
+                   {"force on the pivot $f$", "N"}});
+  const double m = 2, l = 0.3, I_C = 0.05, I = I_C + m * l * l, w = 3;
+  const auto across = [&](double q) { return m * kG * std::sin(q) * (1 - m * l * l / I); };
+  const auto along = [&](double q) { return -m * (kG * std::cos(q) + l * w * w); };
+  page.series("$f_x$").curve(-1, 2.5, across), page.series("$f_z$").curve(-1, 2.5, along);
+  for (const double q : {-1.0, 0.0, 0.7, 1.5, 2.5}) {
+    TestRig rig(stand());
+    rig.joint(0, JointKind::kRevolute, 1, {0.1, 0, 0}, shifted(rigidBody(m, {0.04, I_C, 0.02}), Vector3{0, 0, -l}));
+    rig.forceSensor(0).use({"force_sensor"}).use<Support>("support");
+    rig.link("explicit_euler", 1e-3);
+    rig.set(0, q, w);
+    rig.run(1e-3);  // one evaluation, in the state that was set
+    const Vector3 felt = sensedForce(rig);
+    EXPECT_TRUE(page.series("$f_x$").near(q, felt.x, across(q), 1e-9));
+    EXPECT_NEAR(felt.y, 0, 1e-9);
+    EXPECT_TRUE(page.series("$f_z$").near(q, felt.z, along(q), 1e-9));
+  }
 }
 
 TEST(ForceSensor, OfAChainAtRestFeelsAllThatHangsBelowInItsOwnAxes) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "book/page.h"
 #include "modules/dynamic_world.h"
 #include "murosimf/modules/actuation/tracking_servo.h"
 #include "murosimf/robot/tree_builder.h"
@@ -98,10 +99,23 @@ TEST(TrackingServo, WithoutStiffnessItHoldsTheRateOfTheCommandWithinItsRange) {
 
 TEST(TrackingServo, ComesNearItsCommandWithTheLagOfItsGains) {
   Crane crane(kUnlimited, 1e-4);
-  crane.command({0.05, 0, 0, 1, 0});
-  crane.run(0.03);
+  book::Page page({book::Chapter::kServos,
+                   "A servo of simplified dynamics comes near its command with the lag of its gains",
+                   R"(q = q_d \left( 1 - e^{-t k_p / k_d} \right))",
+                   "Balance of spring and damping where inertia does not count",
+                   {{"k_p, k_d", "gains, here 20 and 0.4", "N m/rad, N m s/rad"}, {"q_d", "command, here 0.05", "rad"}},
+                   {"time $t$", "s"},
+                   {"position $q$", "rad, m"}});
   const double lag = kDrag / kGain;
-  for (int j = 0; j < 2; ++j) EXPECT_NEAR(crane.q(j), 0.05 * (1 - std::exp(-0.03 / lag)), 1e-4);
+  const auto position = [&](double t) { return 0.05 * (1 - std::exp(-t / lag)); };
+  crane.command({0.05, 0, 0, 1, 0});
+  for (int i = 1; i <= 10; ++i) {
+    crane.run(0.01);
+    for (int j = 0; j < 2; ++j) {
+      page.series(j == 0 ? "turns" : "slides").curve(0, 0.1, position);
+      EXPECT_TRUE(page.near(0.01 * i, crane.q(j), position(0.01 * i), 1e-4));
+    }
+  }
 }
 
 TEST(TrackingServo, AccelerationThatAJointNamesItselfGoesBeforeThatOfAll) {

@@ -3,6 +3,7 @@
 
 #include <tuple>
 
+#include "book/page.h"
 #include "murosimf/algorithms/contact_law.h"
 #include "simulation/solids.h"
 
@@ -64,10 +65,19 @@ TEST_P(TwoSolids, ReturnTheRestitutionOfTheirLaw) {
   const Shape ball = makeSphere(0.05), box = makeBox({0.1, 0.08, 0.06}), can = makeCylinder(0.05, 0.1),
               egg = makeEllipsoid({0.05, 0.04, 0.03});
   const Pose left{{}, {-0.05, 0, 0}}, right{{}, {0.05, 0, 0}};
-  EXPECT_NEAR(measuredRestitution(ball, left, ball, right, 1, mover, pair), expected, near);
-  EXPECT_NEAR(measuredRestitution(box, left, box, right, 1, mover, pair), expected, near) << "face to face";
-  EXPECT_NEAR(measuredRestitution(can, left, box, right, 1, mover, pair), expected, near) << "line on face";
-  EXPECT_NEAR(measuredRestitution(egg, left, can, right, 1, mover, pair), expected, near) << "tip on line";
+  book::Page page(
+      {book::Chapter::kRestAndImpact,
+       "Two solids part with the restitution of their law, whatever shapes, dynamics and integrator",
+       "e = \\sqrt{s_b} \\quad \\mathrm{(smooth, paper)}\n"
+       R"(a (1 + e) = \ln\frac{1 + a}{1 - a e}, \; a = d v \quad \mathrm{(Hunt-Crossley)})",
+       "[Friedmann 2007], [Hunt & Crossley 1975]; explicit Euler gains what its springs gain over half a swing",
+       {{"s_b", "restitution factor, here 0.5", ""}, {"d", "dissipation, here 0.6", "s/m"}},
+       {"shapes (0: balls, 1: faces, 2: line on face, 3: tip on line)", ""},
+       {"restitution $e$", ""}});
+  EXPECT_TRUE(page.near(0, measuredRestitution(ball, left, ball, right, 1, mover, pair), expected, near));
+  EXPECT_TRUE(page.near(1, measuredRestitution(box, left, box, right, 1, mover, pair), expected, near));
+  EXPECT_TRUE(page.near(2, measuredRestitution(can, left, box, right, 1, mover, pair), expected, near));
+  EXPECT_TRUE(page.near(3, measuredRestitution(egg, left, can, right, 1, mover, pair), expected, near));
 }
 
 TEST_P(TwoSolids, KeepLinearAndAngularMomentum) {
@@ -109,6 +119,14 @@ INSTANTIATE_TEST_SUITE_P(Ways, TwoSolids, testing::Combine(testing::ValuesIn(kMo
                          nameOf);
 
 TEST(SolidsAtRest, CarryOneAnotherAtTheDepthOfTheirLoad) {
+  book::Page page(
+      {book::Chapter::kRestAndImpact,
+       "Solids in a tower carry one another at the depth of their load",
+       R"(x = \frac{n m g}{k})",
+       "Balance of weight and spring",
+       {{"n", "solids from this contact upwards, of 1 kg each", ""}, {"k", "stiffness, here 100 kN/m", "N/m"}},
+       {"solids carried $n$", ""},
+       {"depth $x$", "m"}});
   for (const Mover& mover : {Mover{}, Mover{"multibody_dynamics", "midpoint"}, kSimplified}) {
     SurfacePair pair = pairOf(NormalLaw::kHuntCrossley, 1e5, 0.4);
     pair.dissipation = 20;
@@ -122,7 +140,11 @@ TEST(SolidsAtRest, CarryOneAnotherAtTheDepthOfTheirLoad) {
     Vector3 before[3];
     for (std::size_t i = 0; i < 3; ++i) {
       const double load = 9.81 * static_cast<double>(3 - i);
-      EXPECT_NEAR(top - (tower.pose(i).translation.z - 0.03), load / 1e5, 2e-7) << mover.integrator << i;
+      page.series(std::string(mover.dynamics) + ", " + mover.integrator).curve(0, 3, [](double n) {
+        return 9.81 * n / 1e5;
+      });
+      const double depth = top - (tower.pose(i).translation.z - 0.03);
+      EXPECT_TRUE(page.near(static_cast<double>(3 - i), depth, load / 1e5, 2e-7));
       top = tower.pose(i).translation.z + 0.03;
       before[i] = tower.pose(i).translation;
     }
@@ -165,9 +187,17 @@ TEST(SolidsOnASlope, CreepByViscousFrictionAtTheTangentOverItsCoefficient) {
   SurfacePair pair = pairOf(NormalLaw::kSmooth, 2e4);
   pair.friction_law = FrictionLaw::kViscous;
   pair.viscous_friction = 10;
+  book::Page page({book::Chapter::kFriction,
+                   "A solid creeps down a slope by viscous friction at the tangent over its coefficient",
+                   R"(v = \frac{\tan\alpha}{c_v})",
+                   "Balance of weight and friction c_v F_n v [Friedmann 2007]",
+                   {{"c_v", "viscous friction, here 10", "s/m"}},
+                   {"slope $\\alpha$", "deg"},
+                   {"speed $v$", "m/s"}});
+  page.curve(0, 30, [](double degrees) { return std::tan(degrees * kPi / 180) / 10; });
   for (const double degrees : {5.0, 15.0, 30.0}) {
     const double angle = degrees * kPi / 180;
-    EXPECT_NEAR(downSlope(angle, pair).speed, std::tan(angle) / 10, 0.01 * std::tan(angle) / 10);
+    EXPECT_TRUE(page.near(degrees, downSlope(angle, pair).speed, std::tan(angle) / 10, 0.01 * std::tan(angle) / 10));
   }
 }
 
@@ -203,8 +233,19 @@ TEST(SolidBall, RollsWithTheDecelerationOfItsResistance) {
   SurfacePair pair = pairOf(NormalLaw::kHuntCrossley, 2e4, 0.6);
   pair.rolling_resistance = 0.05;
   Ball scene(pair, {1, 0, 0}, {0, 1 / Ball::kRadius, 0});
-  scene.world.run(500);
-  EXPECT_NEAR(scene.world.velocity(scene.ball).x, 1 - 0.05 * 9.81 / (1 + Ball::kBeta) * 0.5, 0.005);
+  book::Page page({book::Chapter::kRolling,
+                   "A solid ball on a slab rolls with the deceleration of its resistance",
+                   R"(v = v_0 - \frac{c_r g}{1 + \beta} t)",
+                   "Newton and Euler for a ball that rolls, resisted by a torque c_r r m g",
+                   {{"c_r", "rolling resistance, here 0.05", ""}, {"\\beta", "inertia over m r^2, here 2/5", ""}},
+                   {"time $t$", "s"},
+                   {"speed $v$", "m/s"}});
+  const auto speed = [](double t) { return 1 - 0.05 * 9.81 / (1 + Ball::kBeta) * t; };
+  page.curve(0, 0.5, speed);
+  for (int i = 1; i <= 10; ++i) {
+    scene.world.run(50);
+    EXPECT_TRUE(page.near(0.05 * i, scene.world.velocity(scene.ball).x, speed(0.05 * i), 0.005));
+  }
   scene.world.run(4000);
   EXPECT_NEAR(scene.world.velocity(scene.ball).x, 0, 2e-3) << "and stops";
 }
