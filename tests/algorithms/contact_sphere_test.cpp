@@ -3,6 +3,7 @@
 // if its own normal reaches its distance and no other direction exceeds it.
 #include <gtest/gtest.h>
 
+#include "book/page.h"
 #include "murosimf/algorithms/collision/hull_shape.h"
 #include "murosimf/algorithms/sphere_contact.h"
 #include "murosimf/math/random.h"
@@ -142,11 +143,22 @@ TEST(SphereContact, PlaneIsTheFaceOfAHugeBox) {
 }
 
 TEST(SphereContact, TwoSpheresTouchOnTheLineOfTheirCentres) {
+  book::Page page({book::Chapter::kCollisions,
+                   "Two spheres touch on the line of their centres",
+                   R"(d = r_1 + r_2 - |p_1 - p_2|)",
+                   "Geometry",
+                   {{"r_1, r_2", "radii, here 0.06 and 0.04", "m"}, {"p_1, p_2", "centres", "m"}},
+                   {"distance of the centres", "m"},
+                   {"depth $d$", "m"}});
+  page.curve(0.01, 0.17, [](double distance) { return 0.1 - distance; });
   Dice dice;
   for (int i = 0; i < 1000; ++i) {
     const Vector3 p_WC = dice.inBox(1), p_WD = p_WC + dice.inBox(0.1);
     const SphereContact contact = sphereAgainstSphere(p_WC, 0.06, p_WD, 0.04);
     ASSERT_NEAR(contact.depth, 0.1 - norm(p_WC - p_WD), 1e-15);
+    if (i < 100) {
+      ASSERT_TRUE(page.near(norm(p_WC - p_WD), contact.depth, 0.1 - norm(p_WC - p_WD), 1e-15));
+    }
     const SphereContact as_shape = sphereAgainstShape(p_WC, 0.06, makeSphere(0.04), {{}, p_WD});
     ASSERT_NEAR(norm(contact.normal - as_shape.normal), 0, 1e-12);
     const SphereContact other = sphereAgainstSphere(p_WD, 0.04, p_WC, 0.06);

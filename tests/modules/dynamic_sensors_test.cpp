@@ -26,12 +26,26 @@ SurfacePair hardGround() {
 }
 
 TEST(DynamicInertialSensor, AtRestItFeelsTheGroundPushUpwardInItsOwnAxes) {
-  const Rotation3 R_BI = rotationX(0.5) * rotationZ(0.3);
-  SingleBody b(boxWithImu({R_BI, {0.05, 0.02, 0.01}}), hardGround(), 1e-3, "hunt_crossley_contact", "implicit_euler");
-  b.set({rotationZ(1.0), {0, 0, 0.03 - 2 * kG / 1e4}});
-  b.run(0.5);
-  EXPECT_LT(norm(b.accelerometer() - applyTransposed(R_BI, Vector3{0, 0, kG})), 1e-9);
-  EXPECT_LT(norm(b.gyroscope()), 1e-9);
+  book::Page page({book::Chapter::kSensors,
+                   "At rest an accelerometer feels the ground push upward in its own axes",
+                   R"(f_y = g \sin\alpha, \quad f_z = g \cos\alpha)",
+                   "Specific force of a body at rest",
+                   {{"\\alpha", "the unit is mounted turned about x by it", "rad"}},
+                   {"angle $\\alpha$", "rad"},
+                   {"specific force $f$", "m/s^2"}});
+  page.series("$f_y$").curve(-1.5, 1.5, [](double angle) { return kG * std::sin(angle); });
+  page.series("$f_z$").curve(-1.5, 1.5, [](double angle) { return kG * std::cos(angle); });
+  for (const double angle : {-1.5, -0.5, 0.0, 0.5, 1.5}) {
+    const Rotation3 R_BI = rotationX(angle) * rotationZ(angle == 0.5 ? 0.3 : 0);
+    SingleBody b(boxWithImu({R_BI, {0.05, 0.02, 0.01}}), hardGround(), 1e-3, "hunt_crossley_contact", "implicit_euler");
+    b.set({rotationZ(1.0), {0, 0, 0.03 - 2 * kG / 1e4}});
+    b.run(0.5);
+    EXPECT_LT(norm(b.accelerometer() - applyTransposed(R_BI, Vector3{0, 0, kG})), 1e-9);
+    EXPECT_LT(norm(b.gyroscope()), 1e-9);
+    if (angle == 0.5) continue;  // turned about z too
+    EXPECT_TRUE(page.series("$f_y$").near(angle, b.accelerometer().y, kG * std::sin(angle), 1e-9));
+    EXPECT_TRUE(page.series("$f_z$").near(angle, b.accelerometer().z, kG * std::cos(angle), 1e-9));
+  }
 }
 
 TEST(DynamicInertialSensor, InFreeFallItFeelsOnlyItsCircleAboutTheCentreOfMass) {

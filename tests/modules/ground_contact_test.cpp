@@ -64,17 +64,50 @@ double restitutionOf(const char* contact, const SurfacePair& pair, double speed)
 
 TEST(GroundContact, PaperAndSmoothReturnTheSquareRootOfTheirFactor) {
   // With gravity e = sqrt((s_b - delta)/(1 - delta)), delta = 2 m g/(s_c D), D the largest depth [physics of eq. 1].
-  const double mg = kMass * kG, speed = 2, s_c = 1e4;
-  const double D = mg / s_c * (1 + std::sqrt(1 + s_c * speed * speed / (mg * kG)));
-  const double delta = 2 * mg / (s_c * D), expected = std::sqrt((0.3 - delta) / (1 - delta));
-  EXPECT_NEAR(restitutionOf("paper_contact", turf(), speed), expected, 1e-3);
-  EXPECT_NEAR(restitutionOf("smooth_contact", turf(), speed), expected, 1e-2);  // its passage is .02 m/s wide
+  book::Page page({book::Chapter::kRestAndImpact,
+                   "The ground of robots returns the root of its factor, less what gravity takes",
+                   "e = \\sqrt{\\frac{s_b - \\delta}{1 - \\delta}}, \\quad \\delta = \\frac{2 m g}{k D}\n"
+                   R"(D = \frac{m g}{k} \left( 1 + \sqrt{1 + \frac{k v^2}{m g^2}} \right))",
+                   "Energy of spring and height on the way in and on the way out",
+                   {{"D", "largest depth", "m"},
+                    {"s_b", "restitution factor, here 0.3", ""},
+                    {"k", "stiffness, here 10 kN/m", "N/m"}},
+                   {"speed $v$", "m/s"},
+                   {"restitution $e$", ""}});
+  const auto expected = [](double speed) {
+    const double mg = kMass * kG, s_c = 1e4;
+    const double D = mg / s_c * (1 + std::sqrt(1 + s_c * speed * speed / (mg * kG)));
+    const double delta = 2 * mg / (s_c * D);
+    return std::sqrt((0.3 - delta) / (1 - delta));
+  };
+  page.series("paper").curve(1, 4, expected);
+  for (const double speed : {1.5, 2.0, 3.0, 4.0}) {
+    EXPECT_TRUE(page.series("paper").near(speed, restitutionOf("paper_contact", turf(), speed), expected(speed), 1e-3));
+    // Its passage is .02 m/s wide.
+    EXPECT_TRUE(
+        page.series("smooth").near(speed, restitutionOf("smooth_contact", turf(), speed), expected(speed), 1e-2));
+  }
 }
 
 TEST(GroundContact, HuntCrossleyReturnsTheRootOfItsEquation) {
   SurfacePair pair = turf(1e8);  // so stiff that gravity does nothing during the impact
-  pair.normal_law = NormalLaw::kHuntCrossley, pair.dissipation = 0.6;
-  EXPECT_NEAR(restitutionOf("hunt_crossley_contact", pair, 1), restitution(pair, 1), 2e-3);
+  pair.normal_law = NormalLaw::kHuntCrossley;
+  book::Page page({book::Chapter::kRestAndImpact,
+                   "The ground of robots returns the root of Hunt and Crossley's equation",
+                   R"(a (1 + e) = \ln\frac{1 + a}{1 - a e}, \quad a = d v)",
+                   "[Hunt & Crossley 1975], solved for a linear spring",
+                   {{"d", "dissipation", "s/m"}, {"v", "speed before the impact, here 1", "m/s"}},
+                   {"dissipation $d$", "s/m"},
+                   {"restitution $e$", ""}});
+  const auto expected = [&](double dissipation) {
+    pair.dissipation = dissipation;
+    return restitution(pair, 1);
+  };
+  page.curve(0.1, 2, expected);
+  for (const double dissipation : {0.2, 0.6, 1.2, 2.0}) {
+    const double e = expected(dissipation);
+    EXPECT_TRUE(page.near(dissipation, restitutionOf("hunt_crossley_contact", pair, 1), e, 2e-3));
+  }
 }
 
 TEST(GroundContact, DryFrictionStopsABoxAfterTheLengthOfCoulombsLaw) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "book/page.h"
 #include "modules/motion_world.h"
 
 namespace murosimf::motion {
@@ -26,11 +27,23 @@ struct Joint {
 };
 
 TEST(IdealServo, RunsAtItsNoLoadSpeedAndStopsWhereItShould) {
+  book::Page page({book::Chapter::kServos,
+                   "An ideal servo runs at its no-load speed and stops where it should",
+                   R"(q = \min(q_d, \; \omega_0 t))",
+                   "Definition",
+                   {{"\\omega_0", "no-load speed, here 7.12", "rad/s"}, {"q_d", "command, here 1", "rad"}},
+                   {"time $t$", "s"},
+                   {"angle $q$", "rad"}});
+  const auto angle = [](double t) { return min(1.0, 7.12 * t); };
+  page.curve(0, 0.2, angle);
   Joint joint;
-  joint.run({1.0, 0, 0, 30, 0}, 10);
-  EXPECT_NEAR(joint.position(), 7.12 * 0.1, 1e-12);
+  for (int i = 1; i <= 10; ++i) {
+    joint.run({1.0, 0, 0, 30, 0}, 1);
+    EXPECT_TRUE(page.near(0.01 * i, joint.position(), angle(0.01 * i), 1e-12));
+  }
   EXPECT_NEAR(joint.velocity(), 7.12, 1e-12);
   joint.run({1.0, 0, 0, 30, 0}, 10);
+  EXPECT_TRUE(page.near(0.2, joint.position(), angle(0.2), 1e-12));
   EXPECT_EQ(joint.position(), 1.0);
   EXPECT_EQ(joint.velocity(), 0.0);
 }

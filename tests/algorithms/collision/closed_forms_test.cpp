@@ -49,6 +49,13 @@ double distanceToSegment(const Vector3& p, const Pose& X, double half_length) {
 }
 
 TEST(ClosedForm, TwoBoxesOverlapByTheLeastOfFifteenAxes) {
+  book::Page page({book::Chapter::kCollisions,
+                   "Two boxes overlap by the least of fifteen axes",
+                   R"(d = \min_n \; \min(\max a_n - \min b_n, \; \max b_n - \min a_n))",
+                   "Separating axes, computed from all corners",
+                   {{"n", "normals of the faces, products of the edges", ""}, {"a_n, b_n", "corners along n", "m"}},
+                   {"least overlap", "m"},
+                   {"depth $d$", "m"}});
   Dice dice(200);
   for (int i = 0; i < kPoses; ++i) {
     const Pair pair = randomPair(CollisionKind::kBox, CollisionKind::kBox, dice);
@@ -71,6 +78,9 @@ TEST(ClosedForm, TwoBoxesOverlapByTheLeastOfFifteenAxes) {
     // Edges have to be shallower than faces by 0.8 % and a micrometre.
     const bool face_wins = all >= 0.992 * faces - 1e-6;
     ASSERT_NEAR(found, face_wins ? faces : all, 1e-9) << i;
+    if (i % 20 == 0) {
+      ASSERT_TRUE(page.near(all, found, face_wins ? faces : all, 1e-9));
+    }
   }
 }
 
@@ -98,6 +108,13 @@ TEST(ClosedForm, TwoCapsulesOverlapByTheDistanceOfTheirAxes) {
 }
 
 TEST(ClosedForm, BoxAndCapsuleOverlapByTheDistanceOfBoxAndAxis) {
+  book::Page page({book::Chapter::kCollisions,
+                   "Box and capsule overlap by the distance of box and axis",
+                   R"(d = \max(0, \; r - \mathrm{dist}(B, a)))",
+                   "Geometry; the distance is searched along the axis",
+                   {{"B", "box", ""}, {"a", "axis of the capsule, a segment", ""}, {"r", "its radius", "m"}},
+                   {"distance of box and axis less the radius", "m"},
+                   {"depth $d$", "m"}});
   Dice dice(202);
   for (int i = 0; i < kPoses; ++i) {
     const Pair pair = randomPair(CollisionKind::kBox, CollisionKind::kCapsule, dice);
@@ -112,6 +129,9 @@ TEST(ClosedForm, BoxAndCapsuleOverlapByTheDistanceOfBoxAndAxis) {
       ASSERT_GT(depthOf(pair), radius - 1e-8) << i;
     } else {
       ASSERT_NEAR(depthOf(pair), max(0.0, radius - distance), 1e-9) << i;
+      if (i % 20 == 0) {
+        ASSERT_TRUE(page.near(distance - radius, depthOf(pair), max(0.0, radius - distance), 1e-9));
+      }
     }
   }
 }
