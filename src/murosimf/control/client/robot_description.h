@@ -79,7 +79,7 @@ struct FieldDescription {
   double centre_circle_radius = 0;
   double goal_area_length = 0, goal_area_width = 0;        ///< 0 where the field has none
   double penalty_area_length = 0, penalty_area_width = 0;  ///< same
-  double penalty_mark_distance = 0;                  ///< from the goal line
+  double penalty_mark_distance = 0;                        ///< from the goal line
   double ball_radius = 0;
   double pole_radius = 0, pole_height = 0;  ///< landmark poles at the ends of the halfway line; 0: none
 };
@@ -87,9 +87,9 @@ struct FieldDescription {
 /// The way of a slalom or of an obstacle run, as the rules give it. Frame C: origin in the middle of the start line,
 /// x along the way, y to its left. Where the obstacles stand is for the robot to see.
 struct CourseDescription {
-  double length = 0;  ///< from the start line to the finish line [m]; 0: there is no course
-  double width = 0;   ///< of the strip that must not be left, in its middle the x axis [m]; 0: no limit
-  PlanarPose X_FC;    ///< in the team's own frame
+  double length = 0;                 ///< from the start line to the finish line [m]; 0: there is no course
+  double width = 0;                  ///< of the strip that must not be left, in its middle the x axis [m]; 0: no limit
+  PlanarPose X_FC;                   ///< in the team's own frame
   bool first_passed_on_left = true;  ///< slalom: where the robot is when it passes the first pole; sides alternate
   bool slalom = false;               ///< else any way around the obstacles will do
   double obstacle_radius = 0;        ///< no part of one is farther from its middle [m]

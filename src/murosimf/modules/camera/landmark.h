@@ -16,8 +16,8 @@ namespace murosimf {
 enum class SightKind : std::uint8_t { kBall, kRobot, kPost, kPole, kLine, kObstacle };
 inline constexpr std::size_t kSightKinds = 6;
 /// As parameters are called: ball_miss.
-inline constexpr std::array<std::string_view, kSightKinds> kSightKindNames{
-    "ball", "robot", "post", "pole", "line", "obstacle"};
+inline constexpr std::array<std::string_view, kSightKinds> kSightKindNames{"ball", "robot", "post",
+                                                                           "pole", "line",  "obstacle"};
 inline constexpr std::size_t kindIndex(SightKind kind) { return static_cast<std::size_t>(kind); }
 
 /// A thing with its axis: a straight line from a to b, in the frame B of the object's base; W where there is no object.
