@@ -33,7 +33,8 @@ void WayGrid::start(const client::CourseDescription& course) {
 }
 
 Point WayGrid::centre(int cell) const {
-  return corner_ + Point{(cell % columns_ + 0.5) * kCell, (cell / columns_ + 0.5) * kCell};
+  const int column = cell % columns_, row = cell / columns_;
+  return corner_ + Point{(column + 0.5) * kCell, (row + 0.5) * kCell};
 }
 
 int WayGrid::cellOf(const Point& p_C) const {
