@@ -27,7 +27,7 @@ std::string headings(const World& world, ObjectId robot) {
   return line + "\n";
 }
 
-std::string lineOf(const StepHistory::Step& step) {
+std::string lineOf(const RecordedStep& step) {
   const Vector3 p = step.X_WB.translation, angles = toRollPitchYaw(step.X_WB.rotation), w = step.V_WB.w,
                 v = step.V_WB.v;
   return fmt::format("{:.6f},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", step.time, p.x, p.y, p.z, angles.x,
@@ -38,7 +38,7 @@ std::string lineOf(const StepHistory::Step& step) {
 void writeSteps(const StateGuard::Fault& fault, const World& world, const std::filesystem::path& file) {
   fmt::ostream out = fmt::output_file(file.string());
   out.print("{}", headings(world, fault.robot));
-  for (const StepHistory::Step& step : fault.steps) out.print("{}", lineOf(step));
+  for (const RecordedStep& step : fault.steps) out.print("{}", lineOf(step));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/linking/block_answers.h"
 #include "murosimf/linking/module.h"
 
 namespace murosimf {
@@ -52,6 +53,7 @@ struct ColumnLayout {
   int objects = 0, components = 0;
   Storage storage = Storage::kState;
   std::vector<double> initial;
+  int writer = -1;  ///< pass that adds it, by number; -1: none
 };
 
 /// One module linked to a batch.
@@ -62,6 +64,7 @@ struct LinkedPass {
   int period = 1;         ///< in frames
   double dt = 0;          ///< in seconds
   bool scheduled = true;  ///< false: nobody reads what it would compute
+  bool answers = false;   ///< adds variables that are computed on demand
 };
 
 /// Robots stepped together, in the first `seated` lanes of its blocks. The lanes behind them carry what was there last,
@@ -73,10 +76,12 @@ struct Batch {
   std::vector<LinkedPass> passes;  ///< in the order in which they run
   std::vector<ColumnLayout> columns;
   std::size_t state_size = 0, step_size = 0, own_size = 0;  ///< numbers per lane
-  std::size_t sum_size = 0;  ///< of them at the beginning of step memory: sums, cleared before each evaluation
+  std::size_t on_demand_size = 0;  ///< of them at the end of state: variables on demand, which no frame touches
+  std::size_t sum_size = 0;        ///< of them at the beginning of step memory: sums, cleared before each evaluation
   BlockPieces state, own;
-  AlignedDoubles shared;      ///< constants equal for all members
-  AlignedDoubles shared_one;  ///< the same for one robot alone
+  AlignedDoubles shared;                      ///< constants equal for all members
+  AlignedDoubles shared_one;                  ///< the same for one robot alone
+  mutable std::vector<BlockAnswers> answers;  ///< of each block; empty where nothing is computed on demand
 
   /// Blocks in which somebody is seated.
   int blockCount() const { return (seated + width - 1) / width; }

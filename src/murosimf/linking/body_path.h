@@ -16,7 +16,9 @@ class BodyPath {
   /// The robot must have body_pose; its bodies then stand still while nothing has computed them.
   BodyPath(LinkedWorld& linked, ObjectId robot)
       : pose_(linked.handle(robot, kBodyPose, subset::kBodies)),
-        last_(linked.handle(robot, kBodyPoseLast, subset::kBodies)) {}
+        last_(linked.handle(robot, kBodyPoseLast, subset::kBodies)),
+        base_(linked.handle(robot, kShownBase)),
+        base_last_(linked.handle(robot, kShownBaseLast)) {}
 
   bool valid() const { return pose_.valid(); }
   /// Share of the step that has passed at the beginning of a frame, in [0, 1).
@@ -29,23 +31,23 @@ class BodyPath {
   double contactShareAt(long frame) const { return shareAt(frame) + (isAhead(frame) ? 1.0 : 0.0); }
   double contactShareAfter(long frame) const { return shareAfter(frame) + (isAhead(frame) ? 1.0 : 0.0); }
   /// X_WB of the body on a row.
-  Pose pose(int row, double share) const {
-    return share == 1.0 ? pose_.get(row) : interpolate(last_.get(row), pose_.get(row), share);
-  }
+  Pose pose(int row, double share) const { return share == 1.0 ? end(row) : interpolate(last(row), end(row), share); }
   /// p_WB alone, cheaper.
   Vector3 position(int row, double share) const {
-    return interpolate(last_.get(row).translation, pose_.get(row).translation, share);
+    return interpolate(last(row).translation, end(row).translation, share);
   }
-  Pose last(int row) const { return last_.get(row); }
-  /// Asks the memory for the base's pose at the end of the step.
-  void fetch() const { pose_.values().fetch(1); }
-  Pose end(int row) const { return pose_.get(row); }
+  Pose last(int row) const { return row == 0 && base_last_.valid() ? base_last_.get() : last_.get(row); }
+  Pose end(int row) const { return row == 0 && base_.valid() ? base_.get() : pose_.get(row); }
+  /// Asks the memory for the base's poses.
+  void fetch() const { base_.values().fetch(1), base_last_.values().fetch(1); }
 
  private:
-  int period() const { return pose_.period(); }
-  bool isAhead(long frame) const { return pose_.phase() == Phase::kAdvance && frame % period() == 0; }
+  const Handle<Pose>& known() const { return base_.valid() ? base_ : pose_; }
+  int period() const { return known().period(); }
+  bool isAhead(long frame) const { return known().phase() == Phase::kAdvance && frame % period() == 0; }
 
-  Handle<Pose> pose_, last_;
+  Handle<Pose> pose_, last_;       // computed when asked for
+  Handle<Pose> base_, base_last_;  // known always
 };
 
 }  // namespace murosimf

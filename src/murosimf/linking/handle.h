@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "murosimf/linking/block_answers.h"
 #include "murosimf/linking/declaration.h"
 
 namespace murosimf {
@@ -65,6 +66,7 @@ struct ColumnCell {
   int stride = 1, objects = 0;
   int period = 1;                   ///< in frames between two updates; 1 when no module writes it
   Phase phase = Phase::kPrescribe;  ///< of the module that writes it
+  BlockAnswers* answers = nullptr;  ///< to be asked before one looks; null: the values stand there
 };
 
 /// Valid as long as the linked world.
@@ -79,7 +81,10 @@ class Handle {
   int period() const { return cell_->period; }
   Phase phase() const { return cell_->phase; }
   /// Values of all objects, where they stand until the next exchange of levels: for loops over many.
-  LaneValues<T> values() const { return {cell_->first, cell_->stride}; }
+  LaneValues<T> values() const {
+    if (cell_->answers != nullptr) cell_->answers->give();
+    return {cell_->first, cell_->stride};
+  }
   /// Value of the subset's object number `object`.
   T get(int object = 0) const { return values().get(object); }
   void set(const T& value, int object = 0) { values().set(value, object); }

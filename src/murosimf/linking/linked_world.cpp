@@ -29,7 +29,16 @@ void LinkedWorld::runBlock(Phase phase, const Batch& batch, int block, long fram
   for (const LinkedPass& pass : batch.passes) {
     if (pass.phase != phase || !isDue(pass, frame)) continue;
     pass.module->step(memory, {static_cast<double>(frame) * frame_length_, pass.dt, frame});
+    if (pass.answers) batch.answers[static_cast<std::size_t>(block)].forget();
   }
+}
+
+void BlockAnswers::compute() {
+  const BlockMemory memory = batch_->block(block_, nullptr);
+  for (const LinkedPass& pass : batch_->passes) {
+    if (pass.answers) pass.module->answer(memory);
+  }
+  known_ = true;
 }
 
 bool LinkedWorld::anyDue(Phase phase, const Batch& batch, long frame) const {
@@ -40,8 +49,9 @@ bool LinkedWorld::anyDue(Phase phase, const Batch& batch, long frame) const {
 void LinkedWorld::fetchState(const Batch& batch, int block) const {
   constexpr std::size_t kStaysInCache = 512 * 1024 / sizeof(double), kLine = 64 / sizeof(double);
   if (block >= batch.blockCount() || batch.state_size * batch.members.size() < kStaysInCache) return;
-  const std::span<double> state = batch.state[static_cast<std::size_t>(block)];
-  for (std::size_t i = 0; i < state.size(); i += kLine) __builtin_prefetch(state.data() + i, 1, 2);
+  const double* state = batch.state[static_cast<std::size_t>(block)].data();
+  const std::size_t size = (batch.state_size - batch.on_demand_size) * static_cast<std::size_t>(batch.width);
+  for (std::size_t i = 0; i < size; i += kLine) __builtin_prefetch(state + i, 1, 2);
 }
 
 std::span<const int> LinkedWorld::seatedIn(std::size_t batch, int block) const {

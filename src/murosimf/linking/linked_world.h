@@ -104,10 +104,14 @@ class LinkedWorld {
       }
     }
   }
-  /// Calls visit(value) for every number that a continued run needs: state, and what is kept between frames.
+  /// Calls visit(value) for every number that a continued run needs: state, and what is kept between frames. It may
+  /// change them.
   template <class Visitor>
   void visitMemory(const Place& place, Visitor&& visit) const {
-    visitColumns(place, [&](const ColumnLayout&, int, int, double& value) { visit(value); });
+    visitColumns(place, [&](const ColumnLayout& layout, int, int, double& value) {
+      if (layout.storage != Storage::kOnDemand) visit(value);
+    });
+    forgetAnswers(place);  // visitors may write
   }
 
   /// Columns that an assembly has at its present level, and a number of one of them, for those who show them.
@@ -115,8 +119,14 @@ class LinkedWorld {
     return batches_[static_cast<std::size_t>(place.batch)].columns;
   }
   double numberAt(const Place& place, const ColumnLayout& layout, int object, int component) const {
-    const int width = batches_[static_cast<std::size_t>(place.batch)].width;
-    return element(place, layout)[(object * layout.components + component) * width];
+    const Batch& batch = batches_[static_cast<std::size_t>(place.batch)];
+    if (layout.storage == Storage::kOnDemand) batch.answers[static_cast<std::size_t>(place.block)].give();
+    return element(place, layout)[(object * layout.components + component) * batch.width];
+  }
+  /// What is computed on demand is asked anew: somebody has changed what it follows from.
+  void forgetAnswers(const Place& place) const {
+    const Batch& batch = batches_[static_cast<std::size_t>(place.batch)];
+    if (!batch.answers.empty()) batch.answers[static_cast<std::size_t>(place.block)].forget();
   }
 
  private:
@@ -135,6 +145,7 @@ class LinkedWorld {
     }
   }
   double* element(const Place& place, const ColumnLayout& layout) const;
+  int residentNumber(ObjectId assembly) const;
   const ColumnCell* watch(ObjectId assembly, std::string_view property, std::string_view of, int components);
   Batch& batchOf(const Resident& resident) { return batches_[static_cast<std::size_t>(resident.batch())]; }
   void point(Resident& resident);
@@ -146,6 +157,7 @@ class LinkedWorld {
   double frame_length_;
   std::deque<Batch> batches_;
   std::vector<Resident> residents_;                       // in the order of paths
+  std::vector<int> resident_of_;                          // of each object, by number; -1 or beyond: none
   std::vector<std::vector<int>> seats_;                   // of each batch: resident in each lane
   std::vector<Passage> passages_;                         // between any two batches of one assembly
   AlignedDoubles state_one_, step_one_, own_one_, left_;  // of one robot, while it is exchanged

@@ -69,8 +69,8 @@ std::unique_ptr<LinkedWorld> Linker::link(Diagnostics& diagnostics) {
     if (placed[i]) continue;
     std::vector<Assembly*> members;
     for (std::size_t k = i; k < assemblies.size(); ++k) {
-      const bool other_level = std::any_of(members.begin(), members.end(),
-                                           [&](const Assembly* member) { return member->id == assemblies[k].id; });
+      // All levels of an assembly follow one another.
+      const bool other_level = !members.empty() && members.back()->id == assemblies[k].id;
       if (placed[k] || other_level || !sameStructure(assemblies[i], assemblies[k])) continue;
       placed[k] = true;
       members.push_back(&assemblies[k]);
@@ -169,8 +169,8 @@ void Linker::layOut(const std::vector<Assembly*>& members, Batch& batch) const {
       if (p.isWritten()) variables.push_back(&p);
     }
   }
-  const auto key = [](const DeclaredProperty* p) {  // sums first: they are cleared in one go
-    return std::tuple(p->access != Access::kAccumulates, p->name, p->subset);
+  const auto key = [](const DeclaredProperty* p) {  // sums first: they are cleared in one go; no frame reads the last
+    return std::tuple(p->storage == Storage::kOnDemand, p->access != Access::kAccumulates, p->name, p->subset);
   };
   std::sort(variables.begin(), variables.end(),
             [&](const DeclaredProperty* a, const DeclaredProperty* b) { return key(a) < key(b); });
@@ -183,10 +183,14 @@ void Linker::layOut(const std::vector<Assembly*>& members, Batch& batch) const {
     append(batch, *p, step ? MemoryKind::kStep : MemoryKind::kState, step ? batch.step_size : batch.state_size,
            objects);
     if (p->access == Access::kAccumulates) batch.sum_size = batch.step_size;
+    if (p->storage != Storage::kOnDemand) batch.on_demand_size = batch.state_size;
   }
+  batch.on_demand_size = batch.state_size - batch.on_demand_size;
   const std::size_t width = static_cast<std::size_t>(batch.width);
   const std::size_t blocks = (members.size() + width - 1) / width;
   batch.state = BlockPieces(blocks, batch.state_size * width);
+  for (std::size_t b = 0; batch.on_demand_size > 0 && b < blocks; ++b)
+    batch.answers.emplace_back(batch, static_cast<int>(b));
   fillInitial(batch);
   fillConstants(batch, constants);
 }
@@ -240,6 +244,13 @@ Evaluation evaluationOf(const Batch& batch) {
   return {std::move(passes), batch.sum_size, batch.width};
 }
 
+bool addsOnDemand(const Declaration& declaration) {
+  const auto& properties = declaration.properties();
+  return std::any_of(properties.begin(), properties.end(), [](const DeclaredProperty& p) {
+    return p.access == Access::kAdds && p.storage == Storage::kOnDemand;
+  });
+}
+
 }  // namespace
 
 void Linker::linkPasses(Assembly& representative, Batch& batch, Diagnostics& diagnostics) const {
@@ -257,7 +268,11 @@ void Linker::linkPasses(Assembly& representative, Batch& batch, Diagnostics& dia
     }
     if (auto* integrator = dynamic_cast<Integrator*>(planned.module.get())) integrator->use(evaluationOf(batch));
     batch.passes.push_back({std::move(planned.module), planned.name, planned.declaration.phase(), planned.period,
-                            planned.period * options_.frame_length, true});
+                            planned.period * options_.frame_length, true, addsOnDemand(planned.declaration)});
+    for (ColumnLayout& column : batch.columns) {
+      const DeclaredProperty* added = planned.added(column.property, column.subset);
+      if (added != nullptr && added->access == Access::kAdds) column.writer = static_cast<int>(batch.passes.size()) - 1;
+    }
   }
 }
 

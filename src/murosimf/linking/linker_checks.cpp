@@ -122,7 +122,12 @@ void Linker::checkReader(const Assembly& assembly, const Planned& module, const 
   const bool together = !module.outside() && !writer->outside() && module.period == writer->period &&
                         partOfFrame(module.declaration) == partOfFrame(writer->declaration);
   const bool lasting = writer->added(property)->storage != Storage::kStep;
-  if (!lasting && (!together || property.access == Access::kReadsLast)) {
+  if (!module.outside() && writer->added(property)->storage == Storage::kOnDemand) {
+    diagnostics.error(where,
+                      fmt::format("{}, which is computed only when somebody outside of the modules asks; expected "
+                                  "a variable that is kept",
+                                  start));
+  } else if (!lasting && (!together || property.access == Access::kReadsLast)) {
     diagnostics.error(where, fmt::format("{}, which lives only while {} and what runs with it step (phase {}, every {} "
                                          "frame{}); expected a variable that is kept",
                                          start, writer->name, wordFor(writer->declaration.phase()), writer->period,

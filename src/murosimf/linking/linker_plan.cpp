@@ -4,14 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 #include <tuple>
 
 namespace murosimf {
 
-const DeclaredProperty* Linker::Planned::added(const DeclaredProperty& property) const {
+const DeclaredProperty* Linker::Planned::added(std::string_view property, std::string_view of) const {
   for (const DeclaredProperty& p : declaration.properties()) {
-    if (p.isWritten() && p.sameColumn(property)) return &p;
+    if (p.isWritten() && p.name == property && p.subset == of) return &p;
   }
   return nullptr;
 }
@@ -89,13 +90,9 @@ void Linker::choosePhases(Assembly& assembly) {
 }
 
 std::vector<Linker::Assembly> Linker::plan(Diagnostics& diagnostics) const {
-  std::vector<Assembly> assemblies;
+  std::map<std::pair<ObjectId, int>, Assembly> found;  // by level of each object
   const auto assemblyOf = [&](ObjectId id, int level) -> Assembly& {
-    for (Assembly& a : assemblies) {
-      if (a.id == id && a.level == level) return a;
-    }
-    assemblies.push_back({id, level, -1, {}, false});
-    return assemblies.back();
+    return found.try_emplace({id, level}, Assembly{id, level, -1, {}, false}).first->second;
   };
   for (const Assignment& assignment : assignments_) {
     std::optional<Planned> planned = planModule(assignment, diagnostics);
@@ -107,12 +104,15 @@ std::vector<Linker::Assembly> Linker::plan(Diagnostics& diagnostics) const {
   for (const Attachment& attachment : attachments_) {
     for (const ObjectId id : attachment.assemblies) {
       assemblyOf(id, 0);
-      for (Assembly& assembly : assemblies) {
-        if (assembly.id == id) attach(attachment, assembly);
-      }
+      for (auto level = found.find({id, 0}); level != found.end() && level->first.first == id; ++level)
+        attach(attachment, level->second);
     }
   }
-  for (Assembly& assembly : assemblies) choosePhases(assembly);
+  std::vector<Assembly> assemblies;
+  for (auto& [key, assembly] : found) {
+    choosePhases(assembly);
+    assemblies.push_back(std::move(assembly));
+  }
   std::sort(assemblies.begin(), assemblies.end(), [&](const Assembly& a, const Assembly& b) {
     return std::tie(world_.path(a.id), a.level) < std::tie(world_.path(b.id), b.level);
   });

@@ -18,8 +18,11 @@ struct Linker::Planned {
   bool scheduled = true;
 
   bool outside() const { return module == nullptr; }
-  /// The line with which it writes the column of `property`; null when it does not.
-  const DeclaredProperty* added(const DeclaredProperty& property) const;
+  /// The line with which it writes a column; null when it does not.
+  const DeclaredProperty* added(std::string_view property, std::string_view of) const;
+  const DeclaredProperty* added(const DeclaredProperty& property) const {
+    return added(property.name, property.subset);
+  }
 };
 
 struct Linker::Assembly {

@@ -42,6 +42,9 @@ class BlockModule : public Module {
   virtual void adopt(const BlockMemory& one) const { static_cast<void>(one); }
   /// Makes one step of all robots of one block. Called from any thread, for different blocks at once: const.
   virtual void step(const BlockMemory& block, const StepTime& time) const = 0;
+  /// Computes the variables that it adds on demand (Storage::kOnDemand) from what its last step left in state. There is
+  /// no step memory.
+  virtual void answer(const BlockMemory& block) const { static_cast<void>(block); }
 };
 
 /// Copies a column of `numbers` per lane to another one of the same block: first values from a constant, for example.

@@ -31,6 +31,9 @@ class RobotModule : public BlockModule {
   void step(const BlockMemory& block, const StepTime& time) const final {
     for (int lane = 0; lane < width_; ++lane) stepRobot(RobotLane(block, width_, lane), time);
   }
+  void answer(const BlockMemory& block) const final {
+    for (int lane = 0; lane < width_; ++lane) answerRobot(RobotLane(block, width_, lane));
+  }
 
  protected:
   /// Keeps where the values of the declared properties stand: links.values(...).
@@ -39,6 +42,8 @@ class RobotModule : public BlockModule {
   virtual void initialiseRobot(const RobotLane& robot) const { static_cast<void>(robot); }
   /// Makes one step of one robot. Called from any thread, for different robots at once.
   virtual void stepRobot(const RobotLane& robot, const StepTime& time) const = 0;
+  /// Computes the variables that it adds on demand.
+  virtual void answerRobot(const RobotLane& robot) const { static_cast<void>(robot); }
 
  private:
   int width_ = 1;

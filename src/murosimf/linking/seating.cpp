@@ -24,15 +24,8 @@ Lane laneOf(const Batch& batch, const BlockPieces& pieces, int lane) {
   return {pieces[static_cast<std::size_t>(lane / batch.width)].data(), batch.width, lane % batch.width};
 }
 
-const LinkedPass* writerOf(const Batch& batch, std::string_view property, std::string_view of) {
-  for (const LinkedPass& pass : batch.passes) {
-    Declaration declaration;
-    pass.module->declare(declaration);
-    for (const DeclaredProperty& p : declaration.properties()) {
-      if (p.access == Access::kAdds && p.name == property && p.subset == of) return &pass;
-    }
-  }
-  return nullptr;
+const LinkedPass* writerOf(const Batch& batch, const ColumnLayout* layout) {
+  return layout == nullptr || layout->writer < 0 ? nullptr : &batch.passes[static_cast<std::size_t>(layout->writer)];
 }
 
 Passage passageBetween(const std::deque<Batch>& batches, int from, int to) {
@@ -51,10 +44,14 @@ Passage passageBetween(const std::deque<Batch>& batches, int from, int to) {
 }  // namespace
 
 const Resident& LinkedWorld::residentOf(ObjectId assembly) const {
-  for (const Resident& resident : residents_) {
-    if (resident.assembly == assembly) return resident;
-  }
+  const int number = residentNumber(assembly);
+  if (number >= 0) return residents_[static_cast<std::size_t>(number)];
   throw std::logic_error("an object that no module steps and nothing is attached to has no place among the batches");
+}
+
+int LinkedWorld::residentNumber(ObjectId assembly) const {
+  const auto object = static_cast<std::size_t>(assembly.index);
+  return assembly.valid() && object < resident_of_.size() ? resident_of_[object] : -1;
 }
 
 int LinkedWorld::levelCount(ObjectId assembly) const { return static_cast<int>(residentOf(assembly).levels.size()); }
@@ -72,12 +69,12 @@ int LinkedWorld::longestPeriod(ObjectId assembly, int level) const {
 const ColumnCell* LinkedWorld::watch(ObjectId assembly, std::string_view property, std::string_view of,
                                      int components) {
   static const ColumnCell nowhere;
-  const auto found = std::find_if(residents_.begin(), residents_.end(),
-                                  [&](const Resident& resident) { return resident.assembly == assembly; });
-  if (found == residents_.end()) return &nowhere;
+  const int number = residentNumber(assembly);
+  if (number < 0) return &nowhere;
+  Resident& resident = residents_[static_cast<std::size_t>(number)];
   Watch watch{std::string(property), std::string(of), {}, {}, nullptr};
   bool known = false;
-  for (const LevelSeat& seat : found->levels) {
+  for (const LevelSeat& seat : resident.levels) {
     const Batch& batch = batches_[static_cast<std::size_t>(seat.batch)];
     const ColumnLayout* layout = batch.column(property, of);
     if (layout != nullptr && layout->ref.memory != MemoryKind::kState) layout = nullptr;
@@ -87,16 +84,16 @@ const ColumnCell* LinkedWorld::watch(ObjectId assembly, std::string_view propert
     }
     known = known || layout != nullptr;
     watch.layouts.push_back(layout);
-    watch.writers.push_back(layout == nullptr ? nullptr : writerOf(batch, property, of));
+    watch.writers.push_back(writerOf(batch, layout));
   }
   if (!known) return &nowhere;
-  for (const Watch& other : found->watches) {
+  for (const Watch& other : resident.watches) {
     if (other.property == property && other.subset == of) return other.cell;
   }
   watch.cell = &cells_.emplace_back();
-  found->watches.push_back(std::move(watch));
-  point(*found);
-  return found->watches.back().cell;
+  resident.watches.push_back(std::move(watch));
+  point(resident);
+  return resident.watches.back().cell;
 }
 
 /// Lets place and handles of a resident show where it is.
@@ -114,6 +111,8 @@ void LinkedWorld::point(Resident& resident) {
     watch.cell->first = element(place, *layout);
     watch.cell->stride = batch.width;
     watch.cell->objects = layout->objects;
+    if (layout->storage == Storage::kOnDemand)
+      watch.cell->answers = &batch.answers[static_cast<std::size_t>(place.block)];
     if (writer == nullptr) continue;
     watch.cell->period = writer->period;
     watch.cell->phase = writer->phase;
@@ -155,6 +154,11 @@ void LinkedWorld::finishSeating() {
   }
   state_one_ = AlignedDoubles(state), step_one_ = AlignedDoubles(step), own_one_ = AlignedDoubles(own);
   left_ = AlignedDoubles(state);
+  for (std::size_t i = 0; i < residents_.size(); ++i) {
+    const auto object = static_cast<std::size_t>(residents_[i].assembly.index);
+    if (resident_of_.size() <= object) resident_of_.resize(object + 1, -1);
+    resident_of_[object] = static_cast<int>(i);
+  }
   for (Resident& resident : residents_) {
     for (LevelSeat& seat : resident.levels) {
       const Batch& batch = batches_[static_cast<std::size_t>(seat.batch)];
@@ -189,6 +193,7 @@ void LinkedWorld::leave(Resident& resident) {
   seats[static_cast<std::size_t>(resident.lane)] = moved;
   residents_[static_cast<std::size_t>(moved)].lane = resident.lane;
   point(residents_[static_cast<std::size_t>(moved)]);
+  forgetAnswers(places_[static_cast<std::size_t>(moved)]);
 }
 
 /// Takes the next lane of the level's batch, with the state that stands in state_one_.
@@ -203,6 +208,7 @@ void LinkedWorld::enter(Resident& resident, int level) {
   seats_[static_cast<std::size_t>(resident.batch())][static_cast<std::size_t>(resident.lane)] =
       static_cast<int>(&resident - residents_.data());
   point(resident);
+  forgetAnswers(placeOf(resident));
 }
 
 void LinkedWorld::beginAnew(ObjectId assembly) {
@@ -211,6 +217,7 @@ void LinkedWorld::beginAnew(ObjectId assembly) {
   const Batch& batch = batchOf(resident);
   const Lane state = laneOf(batch, batch.state, resident.lane);
   for (std::size_t i = 0; i < batch.state_size; ++i) state[i] = seat.fresh[i];
+  forgetAnswers(placeOf(resident));
 }
 
 void LinkedWorld::exchange(ObjectId assembly, int level) {

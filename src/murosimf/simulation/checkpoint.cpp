@@ -16,7 +16,7 @@ namespace murosimf {
 namespace {
 
 constexpr std::string_view kMagic = "MUROCKPT";
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 
 /// Hash of bytes, eight at a time.
 std::uint64_t hashBytes(std::span<const std::byte> bytes) {
@@ -116,7 +116,7 @@ std::vector<std::string> structureOf(const Simulation& simulation) {
   for (const Resident& resident : simulation.linked().residents()) {
     for (const LevelSeat& seat : resident.levels) {
       for (const ColumnLayout& layout : simulation.linked().batches()[static_cast<std::size_t>(seat.batch)].columns) {
-        if (layout.ref.memory != MemoryKind::kState) continue;
+        if (layout.ref.memory != MemoryKind::kState || layout.storage == Storage::kOnDemand) continue;
         lines.push_back(fmt::format("{} {} {} {} x {}", world.path(resident.assembly), layout.subset, layout.property,
                                     layout.objects, layout.components));
       }

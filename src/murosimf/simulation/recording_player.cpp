@@ -14,13 +14,14 @@ RecordingPlayer::RecordingPlayer(const std::filesystem::path& file, Simulation& 
   read(std::max(1L, stride));
   LinkedWorld& linked = simulation.linked();
   for (const ObjectId id : simulation.participants().robots) {
-    Robot robot{linked.handle(id, kBasePose),
-                linked.handle(id, kBodyPose, subset::kBodies),
-                linked.handle(id, kBodyPoseLast, subset::kBodies),
-                linked.handle(id, kJointPosition, subset::kJoints),
-                {}};
-    if (const TreeTable* tree = simulation.world().findShared(id, kTree)) robot.rows = kernelRows(*tree);
-    if (robot.body.valid()) robots_.push_back(std::move(robot));
+    const Robot robot{&linked.residentOf(id),
+                      linked.handle(id, kBasePose),
+                      linked.handle(id, kShownBase),
+                      linked.handle(id, kShownBaseLast),
+                      linked.handle(id, kJointPosition, subset::kJoints),
+                      linked.handle(id, kShownPosition, subset::kJoints),
+                      linked.handle(id, kShownPositionLast, subset::kJoints)};
+    if (robot.shown_base.valid()) robots_.push_back(robot);
   }
 }
 
@@ -71,15 +72,11 @@ void RecordingPlayer::fill(const Place& place, const std::vector<double>& state)
 
 /// At the end of the step and at its beginning alike: bodies stand still between two states.
 void RecordingPlayer::placeBodies(Robot& robot) {
-  std::vector<Pose> X_WB(robot.rows.size());
-  for (std::size_t row = 0; row < robot.rows.size(); ++row) {
-    const KernelRow& r = robot.rows[row];
-    X_WB[row] = r.parent < 0
-                    ? robot.base.get()
-                    : childPose(X_WB[static_cast<std::size_t>(r.parent)], r, robot.q.get(static_cast<int>(row) - 1));
-    robot.body.set(X_WB[row], static_cast<int>(row));
-    robot.body_last.set(X_WB[row], static_cast<int>(row));
+  for (Handle<Pose>* base : {&robot.shown_base, &robot.shown_base_last}) base->set(robot.base.get());
+  for (Handle<double>* q : {&robot.shown_q, &robot.shown_q_last}) {
+    for (int j = 0; j < q->size(); ++j) q->set(robot.q.get(j), j);
   }
+  simulation_.linked().forgetAnswers(simulation_.linked().placeOf(*robot.resident));
 }
 
 void RecordingPlayer::show(double time) {

@@ -10,7 +10,6 @@
 #include <filesystem>
 #include <vector>
 
-#include "murosimf/algorithms/tree_rows.h"
 #include "murosimf/simulation/recording.h"
 #include "murosimf/simulation/simulation.h"
 #include "murosimf/world/vocabulary.h"
@@ -32,14 +31,14 @@ class RecordingPlayer {
 
  private:
   struct Robot {
-    Handle<Pose> base, body, body_last;
-    Handle<double> q;
-    std::vector<KernelRow> rows;
+    const Resident* resident;
+    Handle<Pose> base, shown_base, shown_base_last;
+    Handle<double> q, shown_q, shown_q_last;
   };
   void read(long stride);
   const RecordedColumn* columnOf(const Place& place, const ColumnLayout& layout) const;
   void fill(const Place& place, const std::vector<double>& state);
-  static void placeBodies(Robot& robot);
+  void placeBodies(Robot& robot);
 
   std::filesystem::path file_;
   Simulation& simulation_;

@@ -1,8 +1,10 @@
 #include "murosimf/simulation/state_guard.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
+
+#include "murosimf/simulation/wrong_number.h"
+#include "murosimf/world/vocabulary.h"
 
 namespace murosimf {
 
@@ -21,87 +23,63 @@ const OutsideAccess& StateGuard::robotAccess() {
 StateGuard::StateGuard(const World& world, LinkedWorld& linked, const std::vector<ObjectId>& robots)
     : world_(world), linked_(linked) {
   for (const ObjectId id : robots) {
-    robots_.push_back({id, &linked.residentOf(id), StepHistory(linked, id), false, false, linked.handle(id, kBasePose),
-                       linked.handle(id, kBasePoseLast), linked.handle(id, kBodyPose, subset::kBodies),
-                       linked.handle(id, kBodyPoseLast, subset::kBodies),
-                       linked.handle(id, kJointPosition, subset::kJoints), linked.handle(id, kPlacementCount),
-                       linked.handle(id, kPlacementsShown), kernelRows(*world.findShared(id, kTree))});
+    robots_.push_back({id, &linked.residentOf(id), false, false, -1, linked.handle(id, kBasePose),
+                       linked.handle(id, kBasePoseLast), linked.handle(id, kShownBase),
+                       linked.handle(id, kShownBaseLast), linked.handle(id, kJointPosition, subset::kJoints),
+                       linked.handle(id, kShownPosition, subset::kJoints),
+                       linked.handle(id, kShownPositionLast, subset::kJoints), linked.handle(id, kPlacementCount),
+                       linked.handle(id, kPlacementsShown)});
   }
   robot_of_.assign(linked.residents().size(), -1);
   for (std::size_t i = 0; i < robots_.size(); ++i)
     robot_of_[static_cast<std::size_t>(robots_[i].resident - linked.residents().data())] = static_cast<int>(i);
   for (const Batch& batch : linked.batches()) records_.emplace_back(batch);
-  keepHistories();
 }
 
-/// What a frame writes stands together: of a thousand robots in rings of their own, each would be on another page.
-void StateGuard::keepHistories() {
-  std::size_t stride = 0;
-  for (const Robot& robot : robots_) {
-    stride += robot.history.width();
-    widest_ = std::max(widest_, robot.history.width());
-  }
-  histories_.resize(StepHistory::kSteps * stride);
-  float* next = histories_.data();
-  for (Robot& robot : robots_) {
-    robot.history.keepAt(next, stride);
-    next += robot.history.width();
-  }
-}
-
-/// Where the state of robot `number` goes; that of a robot that is held, or of nobody, goes nowhere.
-float* StateGuard::rowOf(int number) {
-  thread_local AlignedDoubles nowhere;
-  if (number >= 0 && !robots_[static_cast<std::size_t>(number)].frozen)
-    return robots_[static_cast<std::size_t>(number)].history.nextRow();
-  if (nowhere.size() < widest_) nowhere = AlignedDoubles(widest_);
-  return reinterpret_cast<float*>(nowhere.data());
-}
-
-/// Those of one block move in the same phase. Of the block that comes next the robots are asked for.
 void StateGuard::look(std::size_t batch, int block, Phase phase, long frame) {
-  constexpr std::size_t kMostLanes = 8;
+  BlockRecord& record = records_[batch];
+  if (!record.moves(phase, frame)) return;
   const std::span<const int> residents = linked_.seatedIn(batch, block);
-  const int first = robot_of_[static_cast<std::size_t>(residents.front())];
-  if (first < 0 || !robots_[static_cast<std::size_t>(first)].history.moved(phase, frame)) return;
-  std::array<int, kMostLanes> numbers{};
-  std::array<float*, kMostLanes> rows{};
-  const Batch& of = linked_.batches()[batch];
-  const auto lanes = static_cast<std::size_t>(of.width);
-  for (std::size_t i = 0; i < lanes; ++i) {
-    numbers[i] = i < residents.size() ? robot_of_[static_cast<std::size_t>(residents[i])] : -1;
-    rows[i] = rowOf(numbers[i]);
-    const std::size_t ahead = static_cast<std::size_t>(std::max(numbers[i], 0)) + lanes;
-    if (ahead < robots_.size()) __builtin_prefetch(&robots_[ahead].history), __builtin_prefetch(&robots_[ahead].frozen);
-  }
   const double time = static_cast<double>(frame + 1) * linked_.frameLength();
-  const std::uint32_t wrong =
-      records_[batch].write(of.state[static_cast<std::size_t>(block)].data(), time, std::span(rows).first(lanes));
+  const double* state = linked_.batches()[batch].state[static_cast<std::size_t>(block)].data();
+  const std::uint32_t wrong = record.look(block, state, frame, time, residents);
   if (wrong == 0) return;
   for (std::size_t i = 0; i < residents.size(); ++i) {
-    if (numbers[i] < 0 || (wrong >> i & 1U) == 0) continue;
-    Robot& robot = robots_[static_cast<std::size_t>(numbers[i])];
+    const int number = robot_of_[static_cast<std::size_t>(residents[i])];
+    if (number < 0 || (wrong >> i & 1U) == 0) continue;
+    Robot& robot = robots_[static_cast<std::size_t>(number)];
     if (!robot.frozen) robot.wrong = any_wrong_ = true;
   }
 }
 
 void StateGuard::freeze(long frame) {
+  time_ = static_cast<double>(frame + 1) * linked_.frameLength();
   if (!any_wrong_ && frozen_ == 0) return;
   for (Robot& robot : robots_) {
     if (robot.frozen) hold(robot);
-    if (std::exchange(robot.wrong, false)) freezeAt(robot, static_cast<double>(frame + 1) * linked_.frameLength());
+    if (std::exchange(robot.wrong, false)) freezeAt(robot, time_);
   }
   any_wrong_ = false;
 }
 
+/// From all blocks in which it has sat.
+std::vector<RecordedStep> StateGuard::stepsOf(const Robot& robot) const {
+  std::vector<RecordedStep> steps;
+  const auto resident = static_cast<int>(robot.resident - linked_.residents().data());
+  for (const BlockRecord& record : records_) record.find(resident, robot.since, steps);
+  std::sort(steps.begin(), steps.end(), [](const RecordedStep& a, const RecordedStep& b) { return a.time < b.time; });
+  if (steps.size() > BlockRecord::kSteps)
+    steps.erase(steps.begin(), steps.end() - static_cast<std::ptrdiff_t>(BlockRecord::kSteps));
+  return steps;
+}
+
 void StateGuard::freezeAt(Robot& robot, double time) {
-  Fault& fault = faults_.emplace_back(Fault{robot.object, time, robot.history.fault(world_), {}});
-  for (int i = 0; i < robot.history.size(); ++i) fault.steps.push_back(robot.history.step(i));
-  robot.history.clear();
+  const Fault& fault =
+      faults_.emplace_back(Fault{robot.object, time, wrongNumberOf(world_, linked_, robot.object), stepsOf(robot)});
   robot.frozen = true, ++frozen_;
   linked_.beginAnew(robot.object);
   if (fault.steps.size() > 1) {
-    const StepHistory::Step& last = fault.steps[fault.steps.size() - 2];
+    const RecordedStep& last = fault.steps[fault.steps.size() - 2];
     robot.base.set(last.X_WB);
     for (int j = 0; j < robot.q.size(); ++j) robot.q.set(last.q[static_cast<std::size_t>(j)], j);
   }
@@ -114,17 +92,12 @@ void StateGuard::freezeAt(Robot& robot, double time) {
 /// Takes its state, at its present level, as that of a robot that has never moved.
 void StateGuard::stop(Robot& robot) {
   linked_.beginAnew(robot.object);
-  robot.base.set(robot.X_WB);
-  if (robot.base_last.valid()) robot.base_last.set(robot.X_WB);
-  for (std::size_t j = 0; j < robot.at.size(); ++j) robot.q.set(robot.at[j], static_cast<int>(j));
-  std::vector<Pose> X_WR{robot.X_WB};
-  for (std::size_t i = 1; i < robot.rows.size(); ++i) {
-    X_WR.push_back(childPose(X_WR[static_cast<std::size_t>(robot.rows[i].parent)], robot.rows[i], robot.at[i - 1]));
+  for (Handle<Pose>* base : {&robot.base, &robot.base_last, &robot.shown_base, &robot.shown_base_last})
+    if (base->valid()) base->set(robot.X_WB);
+  for (Handle<double>* q : {&robot.q, &robot.shown_q, &robot.shown_q_last}) {
+    for (int j = 0; j < q->size(); ++j) q->set(robot.at[static_cast<std::size_t>(j)], j);
   }
-  for (Handle<Pose>* bodies : {&robot.bodies, &robot.bodies_last}) {
-    for (int i = 0; i < bodies->size(); ++i) bodies->set(X_WR[static_cast<std::size_t>(i)], i);
-  }
-  if (robot.shown.valid()) robot.shown.set(robot.placements.get());
+  if (robot.placements_shown.valid()) robot.placements_shown.set(robot.placements.get());
   robot.level = robot.resident->level;
   robot.memory.clear();
   linked_.visitMemory(linked_.placeOf(*robot.resident), [&](double& value) { robot.memory.push_back(value); });
@@ -138,13 +111,20 @@ void StateGuard::hold(Robot& robot) {
 
 void StateGuard::thaw(ObjectId object) {
   for (Robot& robot : robots_) {
-    if (robot.object == object && std::exchange(robot.frozen, false)) --frozen_;
+    if (robot.object == object && std::exchange(robot.frozen, false)) --frozen_, robot.since = time_;
   }
+}
+
+/// What was kept belongs to another run, or to one that went on otherwise.
+void StateGuard::forgetSteps() {
+  for (BlockRecord& record : records_) record.clear();
+  for (Robot& robot : robots_) robot.since = -1;
 }
 
 void StateGuard::archive(StateArchive& archive) {
   for (Robot& robot : robots_) archive(robot);
   archive(faults_);
+  if (archive.loading()) forgetSteps();
   frozen_ = static_cast<int>(std::count_if(robots_.begin(), robots_.end(), [](const Robot& r) { return r.frozen; }));
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
-/// @file Containment: a robot whose state is no number any more is frozen where it last was; all others go on.
+/// @file Containment: a robot whose state is no number any more is frozen where it was in the last step that was kept
+/// (block_record.h); all others go on.
 ///
 /// Robots share nothing but contacts, so that it is enough to look at each robot behind every step, before anybody else
 /// reads it. A frozen robot stands still, all its other variables as they are before a first step, whatever it is
@@ -11,10 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/algorithms/tree_rows.h"
 #include "murosimf/linking/outside_access.h"
 #include "murosimf/math/state_archive.h"
-#include "murosimf/simulation/step_history.h"
+#include "murosimf/simulation/block_record.h"
 
 namespace murosimf {
 
@@ -28,7 +28,7 @@ class StateGuard {
     ObjectId robot;
     double time = 0;  ///< end of the step that went wrong [s]
     std::string what;
-    std::vector<StepHistory::Step> steps;  ///< that led to it, the wrong one last; empty after a checkpoint
+    std::vector<RecordedStep> steps;  ///< that led to it, the wrong one last; empty after a checkpoint
     void archive(StateArchive& archive) { archive(robot, time, what); }
   };
 
@@ -49,20 +49,19 @@ class StateGuard {
   struct Robot {
     ObjectId object;
     const Resident* resident;
-    StepHistory history;
     bool wrong = false;  ///< found so by look()
     bool frozen = false;
-    Handle<Pose> base, base_last, bodies, bodies_last;
-    Handle<double> q, placements, shown;
-    std::vector<KernelRow> rows;
+    double since = -1;  ///< a hand has set it going again, or never [s]
+    Handle<Pose> base, base_last, shown_base, shown_base_last;
+    Handle<double> q, shown_q, shown_q_last, placements, placements_shown;
     Pose X_WB{};                   ///< where it is held
     std::vector<double> at{};      ///< joint positions in which it is held
     int level = 0;                 ///< at which `memory` was taken
     std::vector<double> memory{};  ///< all of its variables while it is held
     void archive(StateArchive& archive) { archive(frozen, X_WB, at, level, memory); }
   };
-  void keepHistories();
-  float* rowOf(int number);
+  void forgetSteps();
+  std::vector<RecordedStep> stepsOf(const Robot& robot) const;
   void freezeAt(Robot& robot, double time);
   void stop(Robot& robot);
   void hold(Robot& robot);
@@ -72,10 +71,9 @@ class StateGuard {
   std::vector<Robot> robots_;
   std::vector<BlockRecord> records_;     // of each batch
   std::vector<int> robot_of_;            ///< number among robots_ of each resident; -1: none
-  std::size_t widest_ = 0;               // numbers of a step, of any robot
   std::atomic<bool> any_wrong_ = false;  ///< since the last freeze()
   int frozen_ = 0;                       ///< how many are
-  std::vector<float> histories_;         ///< of a step those of all robots, then those of the next one
+  double time_ = 0;                      ///< of the last freeze() [s]
   std::vector<Fault> faults_;
 };
 

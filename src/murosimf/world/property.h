@@ -17,9 +17,11 @@ namespace murosimf {
 
 /// How long the value of a variable lives.
 enum class Storage : std::uint8_t {
-  kState,  ///< always valid; saved in checkpoints, part of the state hash
-  kKept,   ///< follows from state, kept between frames for readers; computed only when somebody reads it
-  kStep,   ///< valid only after its writer ran in this frame; lives in memory that all blocks of a thread share
+  kState,     ///< always valid; saved in checkpoints, part of the state hash
+  kKept,      ///< follows from state, kept between frames for readers; computed only when somebody reads it
+  kStep,      ///< valid only after its writer ran in this frame; lives in memory that all blocks of a thread share
+  kOnDemand,  ///< follows from what its writer keeps, for those outside of the blocks; computed only in frames in which
+              ///< somebody asks
 };
 
 /// A value of the model. T is double, Vector3, Pose, std::string, or a type of a lower folder (a shape list, a lens).

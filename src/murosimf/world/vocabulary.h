@@ -168,9 +168,15 @@ inline constexpr Variable<double> kJointPosition{"joint_position", "rad", "q at 
 inline constexpr Variable<double> kJointVelocity{"joint_velocity", "rad/s", "mean rate of q over the step"};
 inline constexpr Variable<Pose> kBasePose{"base_pose", "m", "X_WB at the end of the step"};
 inline constexpr Variable<Pose> kBasePoseLast{"base_pose_last", "m", "X_WB at the beginning of the step"};
-inline constexpr Variable<Pose> kBodyPose{"body_pose", "m", "X_WB of each body at the end of the step", Storage::kKept};
+inline constexpr Variable<Pose> kBodyPose{"body_pose", "m", "X_WB of each body at the end of the step",
+                                          Storage::kOnDemand};
 inline constexpr Variable<Pose> kBodyPoseLast{"body_pose_last", "m", "X_WB of each body at the beginning of the step",
-                                              Storage::kKept};
+                                              Storage::kOnDemand};
+inline constexpr Variable<Pose> kShownBase{"shown_base", "m", "body_pose of the base", Storage::kKept};
+inline constexpr Variable<Pose> kShownBaseLast{"shown_base_last", "m", "body_pose_last of the base", Storage::kKept};
+inline constexpr Variable<double> kShownPosition{"shown_position", "rad", "q in body_pose", Storage::kKept};
+inline constexpr Variable<double> kShownPositionLast{"shown_position_last", "rad", "q in body_pose_last",
+                                                     Storage::kKept};
 inline constexpr Variable<double> kPlacementsShown{"placements_shown", "1", "placement_count of body_pose; -1: of none",
                                                    Storage::kKept};
 inline constexpr Variable<SpatialMotion<double>> kBaseVelocity{"base_velocity", "SI",

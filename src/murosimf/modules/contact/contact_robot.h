@@ -52,8 +52,7 @@ class ContactRobot {
   void begin(long frame, double dt);
   /// Whether it has something to forget: a partner, or a force that still stands.
   bool touched() const { return !rows_.empty() || !pushed_.empty(); }
-  /// Where its base will be at the end of a frame, also of one that it has not begun.
-  Vector3 nearPlace(long frame) const { return path_.position(0, path_.contactShareAfter(frame)); }
+  const BodyPath& path() const { return path_; }
   Vector3 basePosition() const { return bodyPose(0).translation; }
   /// Where a body will be at the frame's end.
   Vector3 nearPosition(int row) const { return path_.position(row, end_); }

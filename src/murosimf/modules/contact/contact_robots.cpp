@@ -6,6 +6,7 @@
 namespace murosimf {
 
 void ContactRobots::add(ContactRobot robot) {
+  paths_.push_back(robot.path());
   robots_.push_back(std::move(robot));
   places_.emplace_back();
   is_awake_.push_back(0);
@@ -17,7 +18,11 @@ void ContactRobots::beginFrame(long frame, double dt) {
   std::swap(awake_, last_);
   awake_.clear();
   for (const int number : last_) is_awake_[static_cast<std::size_t>(number)] = 0;
-  for (std::size_t i = 0; i < robots_.size(); ++i) places_[i] = robots_[i].nearPlace(frame);
+  constexpr std::size_t kAhead = 8;
+  for (std::size_t i = 0; i < paths_.size(); ++i) {
+    if (i + kAhead < paths_.size()) paths_[i + kAhead].fetch();
+    places_[i] = paths_[i].position(0, paths_[i].contactShareAfter(frame));
+  }
   for (const int number : last_) {
     const auto i = static_cast<std::size_t>(number);
     if (robots_[i].touched()) wake(i);

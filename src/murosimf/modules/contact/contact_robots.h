@@ -32,6 +32,7 @@ class ContactRobots {
 
  private:
   std::vector<ContactRobot> robots_;
+  std::vector<BodyPath> paths_;  // those of the robots, side by side: each frame reads all of them
   std::vector<Vector3> places_;
   std::vector<int> awake_, last_;
   std::vector<char> is_awake_;

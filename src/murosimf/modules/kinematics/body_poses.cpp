@@ -13,29 +13,37 @@ void BodyPoses::declare(Declaration& d) const {
   d.reads(kJointPosition, subset::kJoints);
   d.readsInStep(kBasePose);
   d.reads(kPlacementCount);
+  d.adds(kPlacementsShown);
+  d.adds(kShownPosition, subset::kJoints);
+  d.adds(kShownPositionLast, subset::kJoints);
+  d.adds(kShownBase);
+  d.adds(kShownBaseLast);
   d.adds(kBodyPose, subset::kBodies);
   d.adds(kBodyPoseLast, subset::kBodies);
-  d.adds(kPlacementsShown);
 }
 
 void BodyPoses::link(Links& links) {
   rows_ = kernelRows(links.shared(kTree));
-  arguments_ = {rows_.data(),
-                static_cast<int>(rows_.size()),
-                links.column(kJointPosition, subset::kJoints),
-                links.column(kBasePose),
-                links.column(kPlacementCount),
-                links.column(kBodyPose, subset::kBodies),
-                links.column(kBodyPoseLast, subset::kBodies),
-                links.column(kPlacementsShown)};
+  const PostureColumns kept{links.column(kShownPosition, subset::kJoints),
+                            links.column(kShownPositionLast, subset::kJoints), links.column(kShownBase),
+                            links.column(kShownBaseLast)};
+  posture_ = {static_cast<int>(rows_.size()) - 1,
+              links.column(kJointPosition, subset::kJoints),
+              links.column(kBasePose),
+              links.column(kPlacementCount),
+              links.column(kPlacementsShown),
+              kept};
+  arguments_ = {rows_.data(), static_cast<int>(rows_.size()), kept, links.column(kBodyPose, subset::kBodies),
+                links.column(kBodyPoseLast, subset::kBodies)};
   width_ = links.width();
-  kernel_ = kernelOfWidth<BodyPosesArguments>(width_);
+  keep_ = kernelOfWidth<PostureArguments>(width_);
+  compute_ = kernelOfWidth<BodyPosesArguments>(width_);
 }
 
 void BodyPoses::initialise(const BlockMemory& block) const {
   // No placement has been shown yet, not even the one that stands at the start.
-  double* shown = block.piece[static_cast<int>(arguments_.shown.memory)] + arguments_.shown.offset * width_;
-  std::fill_n(shown, width_, -1.0);
+  const ColumnRef shown = posture_.placements_shown;
+  std::fill_n(block.piece[static_cast<int>(shown.memory)] + shown.offset * width_, width_, -1.0);
 }
 
 }  // namespace murosimf

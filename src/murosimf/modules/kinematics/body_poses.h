@@ -4,9 +4,11 @@
 ///
 /// Model      X_WB(child) = X_WB(parent) X_PF J(q), from the base outwards, O(bodies).
 /// Phase      that of the module that adds base_pose, behind it, at its rate. Runs only when somebody reads body_pose.
-/// Adds       body_pose and body_pose_last of the bodies. Between the two ends of a step a body is taken to move on
+/// Adds       the posture at both ends of a step, and on demand body_pose and body_pose_last of the bodies: of a
+///            thousand robots few are looked at in a frame. Between the two ends of a step a body is taken to move on
 ///            the straight path from one to the other. After a placement both ends are the new pose.
-/// Cost       one rotation about an axis and one transformed point a body.
+/// Cost       a copy of joint positions and base pose; when asked two rotations about an axis and two transformed
+///            points a body.
 
 #include "murosimf/linking/module.h"
 #include "murosimf/modules/kinematics/body_poses_kernel.h"
@@ -18,13 +20,16 @@ class BodyPoses final : public BlockModule {
   void declare(Declaration& declaration) const override;
   void link(Links& links) override;
   void initialise(const BlockMemory& block) const override;
-  void step(const BlockMemory& block, const StepTime& time) const override { kernel_(arguments_, block, time); }
+  void step(const BlockMemory& block, const StepTime& time) const override { keep_(posture_, block, time); }
+  void answer(const BlockMemory& block) const override { compute_(arguments_, block, {}); }
 
  private:
   std::vector<KernelRow> rows_;
+  PostureArguments posture_;
   BodyPosesArguments arguments_;
   int width_ = 1;
-  KernelSet<BodyPosesArguments>::Kernel kernel_ = nullptr;
+  KernelSet<PostureArguments>::Kernel keep_ = nullptr;
+  KernelSet<BodyPosesArguments>::Kernel compute_ = nullptr;
 };
 
 }  // namespace murosimf

@@ -2,6 +2,7 @@
 
 namespace murosimf {
 
+void addWideKernels(KernelSet<PostureArguments>& kernels) { kernels.eight = &keepPostures<Pack<double, 8>>; }
 void addWideKernels(KernelSet<BodyPosesArguments>& kernels) { kernels.eight = &bodyPoses<Pack<double, 8>>; }
 
 }  // namespace murosimf

@@ -13,9 +13,12 @@ constexpr Variable<double> kImuStarted{"imu_started", "1", "1 once imu_velocity 
 
 void InertialSensor::declare(Declaration& d) const {
   d.runsIn(Phase::kSense);
+  d.needs(kTree);
   d.needs(kImuPlace);
-  d.readsInStep(kBodyPose, subset::kBodies);
-  d.readsInStep(kBodyPoseLast, subset::kBodies);
+  d.readsInStep(kShownBase);
+  d.readsInStep(kShownBaseLast);
+  d.readsInStep(kShownPosition, subset::kJoints);
+  d.readsInStep(kShownPositionLast, subset::kJoints);
   d.adds(kGyroscope);
   d.adds(kAccelerometer);
   d.adds(kImuVelocity);
@@ -24,10 +27,17 @@ void InertialSensor::declare(Declaration& d) const {
 
 void InertialSensor::link(Links& links) {
   const MountPlace place = links.shared(kImuPlace);
-  arguments_ = {place.row,
+  rows_ = kernelRows(links.shared(kTree));
+  for (int row = place.row; row > 0; row = rows_[static_cast<std::size_t>(row)].parent)
+    chain_.insert(chain_.begin(), row);
+  arguments_ = {rows_.data(),
+                chain_.data(),
+                static_cast<int>(chain_.size()),
                 kernelPose(place.X_RM),
-                links.column(kBodyPose, subset::kBodies),
-                links.column(kBodyPoseLast, subset::kBodies),
+                links.column(kShownPosition, subset::kJoints),
+                links.column(kShownPositionLast, subset::kJoints),
+                links.column(kShownBase),
+                links.column(kShownBaseLast),
                 links.column(kImuVelocity),
                 links.column(kImuStarted),
                 links.column(kGyroscope),

@@ -5,7 +5,7 @@
 /// Model      w = log(R_last^T R) / dt in the unit's axes;  f = R^T (dv/dt - g), v = (p - p_last)/dt at its origin,
 ///            dv since the step before; g = (0, 0, -9.81) m/s^2. Both are means over the step, without noise.
 /// Phase      kSense, at the rate of the motion that it follows.
-/// Cost       one rotation logarithm.
+/// Cost       one rotation logarithm; two rotations about an axis a joint between the base and the unit's body.
 
 #include "murosimf/linking/module.h"
 #include "murosimf/modules/sensing/inertial_sensor_kernel.h"
@@ -19,6 +19,8 @@ class InertialSensor final : public BlockModule {
   void step(const BlockMemory& block, const StepTime& time) const override { kernel_(arguments_, block, time); }
 
  private:
+  std::vector<KernelRow> rows_;
+  std::vector<int> chain_;
   InertialSensorArguments arguments_;
   KernelSet<InertialSensorArguments>::Kernel kernel_ = nullptr;
 };

@@ -9,9 +9,11 @@
 namespace murosimf {
 
 struct InertialSensorArguments {
-  int row = 0;
+  const KernelRow* rows = nullptr;
+  const int* chain = nullptr;  ///< rows from behind the base to that of the unit
+  int chain_length = 0;
   KernelPose X_RI;
-  ColumnRef pose, pose_last, velocity, started, gyroscope, accelerometer;
+  ColumnRef q, q_last, base, base_last, velocity, started, gyroscope, accelerometer;
 };
 
 void addBaselineKernels(KernelSet<InertialSensorArguments>& kernels);
@@ -19,11 +21,19 @@ void addWideKernels(KernelSet<InertialSensorArguments>& kernels);
 
 inline namespace MUROSIMF_ISA {
 
+/// X_WI of the unit in one posture.
+template <class S>
+Transform<S> unitPose(const InertialSensorArguments& a, const Transform<S>& X_WB, const S* q) {
+  Transform<S> X_WR = X_WB;
+  for (int i = 0; i < a.chain_length; ++i) X_WR = childPose(X_WR, a.rows[a.chain[i]], q[a.chain[i] - 1]);
+  return X_WR * poseFrom<S>(a.X_RI);
+}
+
 template <class S>
 void inertialSensor(const InertialSensorArguments& a, const BlockMemory& block, const StepTime& time) {
-  const Transform<S> X_RI = poseFrom<S>(a.X_RI);
-  const Transform<S> now = columnAt<Transform<S>, S>(block, a.pose)[a.row] * X_RI;
-  const Transform<S> last = columnAt<Transform<S>, S>(block, a.pose_last)[a.row] * X_RI;
+  const Transform<S> now = unitPose(a, *columnAt<Transform<S>, S>(block, a.base), columnAt<S, S>(block, a.q));
+  const Transform<S> last =
+      unitPose(a, *columnAt<Transform<S>, S>(block, a.base_last), columnAt<S, S>(block, a.q_last));
   auto* velocity = columnAt<Vec3<S>, S>(block, a.velocity);
   S* started = columnAt<S, S>(block, a.started);
   const S per_second(1.0 / time.dt);
