@@ -99,6 +99,23 @@ const Json* Metric::stepInto(const Json& json, const Step& step) {
   return nullptr;
 }
 
+std::string Metric::whatThereIs(const Json& report) const {
+  const Json* at = &report;
+  std::string where;
+  for (const Step& step : steps_) {
+    const Json* next = stepInto(*at, step);
+    if (next == nullptr) break;
+    at = next;
+    where += step.is_entry ? "[" + step.text + "]" : (where.empty() ? "" : ".") + step.text;
+  }
+  if (where.empty()) where = "a report";
+  if (at->is_array()) return fmt::format("; {} is a list of {}", where, at->size());
+  std::string names;
+  if (at->is_object())
+    for (const auto& [key, value] : at->items()) names += (names.empty() ? "" : ", ") + key;
+  return names.empty() ? "" : fmt::format("; {} has {}", where, names);
+}
+
 const Json* Metric::find(const Json& report) const {
   const Json* at = &report;
   for (const Step& step : steps_)
@@ -129,7 +146,8 @@ std::string Metric::problem(const Json& report) const {
   if (read(report)) return "";
   if (at == nullptr) {
     const std::string wanted = counts_ ? "count(" + path_ + ")" : path_;
-    return fmt::format("no report has \"{}\"{}", text_, didYouMean(wanted, metricPaths(report)));
+    const std::string near = didYouMean(wanted, metricPaths(report));
+    return fmt::format("no report has \"{}\"{}", text_, near.empty() ? whatThereIs(report) : near);
   }
   const std::string found = at->is_string()   ? fmt::format("the text \"{}\"", at->get<std::string>())
                             : at->is_array()  ? "a list"

@@ -41,6 +41,8 @@ class Metric {
     std::string text;
   };
   const nlohmann::ordered_json* find(const nlohmann::ordered_json& report) const;
+  /// For messages: the names in the table in which the path ends, "; trial has attempts, passed".
+  std::string whatThereIs(const nlohmann::ordered_json& report) const;
   static const nlohmann::ordered_json* stepInto(const nlohmann::ordered_json& json, const Step& step);
 
   std::string text_, path_;

@@ -27,6 +27,7 @@ double savedShare(const std::vector<double>& full, const std::vector<double>& ch
 TailorResult Tailor::run() {
   TailorResult result;
   result.choices.assign(details_.size(), 0);
+  requirePlayable(play({result.choices}, settings_.first_seed, 1, "a first run").front());
   measurePrices(result);
   measureReference(result);
   descend(result);

@@ -2,16 +2,15 @@
 
 /// @file Finds the cheapest level of detail that leaves a metric unchanged, by experiment.
 ///
-/// 1. Full detail is played with all seeds: the reference.
-/// 2. Each cheaper choice of each detail is played alone with a few seeds: its price, the processor time that it saves.
-/// A
-///    seed's games are played one after the other, full detail first, and compared with each other: what else the
-///    machine does then weighs about the same on all of them.
+/// 1. One run at full detail: a metric that it does not have is told before anything else is played. Then each cheaper
+///    choice of each detail is played alone with a few seeds: its price, the processor time that it saves. A seed's
+///    games are played one after the other, full detail first, and compared with each other: what else the machine does
+///    then weighs about the same on all of them.
+/// 2. Full detail is played with all seeds: the reference.
 /// 3. From the reference down: in the order of what they save, each detail gets the cheapest choice with which the
-/// metric
-///    stays equivalent to the reference's, together with all that was made cheaper before; else it stays as it was.
-///    What is plainly different after a quarter of the seeds is not played further. A choice that could not be played
-///    is tried again at the end: what it lacked may be gone by then.
+///    metric stays equivalent to the reference's, together with all that was made cheaper before; else it stays as it
+///    was. What is plainly different after a quarter of the seeds is not played further. A choice that could not be
+///    played is tried again at the end: what it lacked may be gone by then.
 /// 4. What was found is compared with full detail on seeds that had no part in the choice.
 /// Cost: at most (details x choices) x (seeds + price_seeds) runs.
 

@@ -69,12 +69,17 @@ class TailorWriter {
       if (!isMeant(details_, result_.choices, d)) return "not asked: it went with what it belongs to";
       return "kept: that saves nothing";
     }
-    if (trial->taken) return "dropped";
+    if (trial->taken) return provesLittle(*trial) ? "dropped: no seed changed it" : "dropped";
     if (!trial->failure.empty()) return "kept: cannot be played: " + firstLine(trial->failure);
     if (trial->effect.unmatched > 0)
       return fmt::format("kept: {} of {} runs measured nothing", trial->effect.unmatched, trial->seeds);
     if (trial->effect.different) return fmt::format("kept: it matters ({} seeds)", trial->seeds);
     return fmt::format("kept: it may matter ({} seeds)", trial->seeds);
+  }
+
+  /// Equal differences of numbers leave their interval without a width, however few the seeds.
+  static bool provesLittle(const TailorTrial& trial) {
+    return trial.effect.difference.interval.low == trial.effect.difference.interval.high;
   }
 
   static std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
@@ -90,10 +95,10 @@ class TailorWriter {
   std::string conclusion() const {
     const double share = result_.reference_cost > 0 ? 1 - result_.tailored_cost / result_.reference_cost : 0;
     std::string out = fmt::format(
-        "\nOn {} fresh seeds: {:.4g} s of processor time a simulated second in the place of {:.4g} s ({:.1f} % "
+        "\nOn {} fresh seeds: {:.3g} ms of processor time a simulated second in the place of {:.3g} ms ({:.1f} % "
         "saved).\n"
         "Effect {}: {}\n",
-        result_.check.difference.size, result_.tailored_cost, result_.reference_cost, 100 * share,
+        result_.check.difference.size, 1e3 * result_.tailored_cost, 1e3 * result_.reference_cost, 100 * share,
         effectText(result_.check.difference),
         result_.check.equivalent
             ? "it holds."
@@ -101,6 +106,12 @@ class TailorWriter {
     if (result_.constant)
       out += fmt::format("warning: {} was the same in every run: it cannot tell one level of detail from another\n",
                          question_.metric);
+    else if (std::any_of(result_.trials.begin(), result_.trials.end(),
+                         [](const TailorTrial& t) { return t.taken && provesLittle(t); }))
+      out += fmt::format(
+          "warning: of some choices no seed changed {}, a number: {} seeds prove little then, and their interval does "
+          "not show it; a verdict, true or false or a text with ==, has one that does\n",
+          question_.metric, question_.seeds);
     out += "\n";
     for (const std::string& assignment : overridesOf(details_, result_.choices)) out += "--set " + assignment + "\n";
     return out;

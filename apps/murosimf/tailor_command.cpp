@@ -31,7 +31,7 @@ class CachedPlayer {
     std::vector<BatchRun> runs;
     for (const RunSettings& run : settings)
       runs.push_back({run, identifier_.identify(run), fmt::format("{}, seed {}", purpose, run.seed)});
-    fmt::print(stderr, "{}: {} runs\n", purpose, runs.size());
+    fmt::print(stderr, "{}: {} {}\n", purpose, runs.size(), runs.size() == 1 ? "run" : "runs");
     const int threads = arguments_.threads;
     const PlayRun one = [threads](const RunSettings& run, const auto& stop) { return playRun(run, threads, stop); };
     const BatchOutcome outcome = playBatch(runs, store_, one, {arguments_.workers, false, true, identifier_.program()});

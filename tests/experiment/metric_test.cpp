@@ -53,6 +53,12 @@ TEST(Metrics, ThatNoReportHasAreToldWithTheNearest) {
   EXPECT_EQ(problemOf("score.rd"), "no report has \"score.rd\" (did you mean \"score.red\"?)");
   EXPECT_EQ(problemOf("robots[robots.red.1].kick"),
             "no report has \"robots[robots.red.1].kick\" (did you mean \"robots[robots.red.1].kicks\"?)");
+  EXPECT_EQ(problemOf("trial.duration"), "no report has \"trial.duration\"; trial has passed, verdict");
+  EXPECT_EQ(problemOf("robots[robots.red.1].mean_speed_in_play"),
+            "no report has \"robots[robots.red.1].mean_speed_in_play\"; robots[robots.red.1] has robot, kicks");
+  EXPECT_EQ(problemOf("robots[robots.green.17].mean_speed_in_play"),
+            "no report has \"robots[robots.green.17].mean_speed_in_play\"; robots is a list of 2");
+  EXPECT_EQ(problemOf("winner"), "no report has \"winner\"; a report has score, goals, robots, perception, trial");
   EXPECT_EQ(problemOf("goals"), "\"goals\" is a list in the reports, expected a number, true or false or count(goals)");
   EXPECT_EQ(problemOf("trial.verdict"),
             "\"trial.verdict\" is the text \"out of bounds\" in the reports, expected a number, true or false or "

@@ -50,10 +50,12 @@ struct Game {
     cost += has(run, "cameras.shadows=true") ? 1 : 0;
     cost += has(run, "shapes=primitives") ? 3 : 0;
     value += .1 * noise * random.normal(static_cast<std::uint64_t>(10 * cost));
+    const int kicks = has(run, "near.level=full") ? 3 : 1;
     RunResult result;
     result.run = run;
     result.cpu_seconds = 30 * cost;
-    result.report = {{"simulated_seconds", 30.0}, {"trial", {{"time", value}, {"passed", value > 1}}}};
+    result.report = {{"simulated_seconds", 30.0},
+                     {"trial", {{"time", value}, {"passed", value > 1}, {"kicks", kicks}}}};
     if (!needs.empty() && has(run, "far.level=kinematic") && !has(run, needs)) result.failure = "no feet";
     if (run.seed == broken_seed) result.failure = "the ball is lost";
     return result;
@@ -171,6 +173,7 @@ TEST(Tailor, TellsWhenFullDetailCannotBePlayedOrMeasured) {
     FAIL();
   } catch (const std::runtime_error& problem) {
     EXPECT_STREQ(problem.what(), "no report has \"trial.tiem\" (did you mean \"trial.time\"?)");
+    EXPECT_EQ(other.plays, 1) << "before anything else is played";
   }
 }
 
@@ -180,6 +183,17 @@ TEST(Tailor, WarnsOfAMetricThatNeverChanges) {
   EXPECT_TRUE(result.constant);
   const std::string text = tailorText({"game.toml", "simulated_seconds", {.1, .95}, 20}, kDetails, result);
   EXPECT_NE(text.find("warning: simulated_seconds was the same in every run"), std::string::npos);
+}
+
+TEST(Tailor, WarnsOfNumbersThatNoSeedChangesThoughOtherChoicesDo) {
+  Game game;
+  const TailorResult result = game.tailor(withTolerance(.2), "trial.kicks");
+  EXPECT_EQ(result.choices[0], 0u) << "without dynamics it kicks less";
+  EXPECT_EQ(result.choices[1], 2u);
+  EXPECT_FALSE(result.constant);
+  const std::string text = tailorText({"game.toml", "trial.kicks", {.2, .95}, 20}, kDetails, result);
+  EXPECT_NE(text.find("dropped: no seed changed it"), std::string::npos) << text;
+  EXPECT_NE(text.find("warning: of some choices no seed changed trial.kicks"), std::string::npos) << text;
 }
 
 TEST(Tailor, WritesWhatItFound) {
