@@ -9,8 +9,9 @@ mkdir -p "$folder"
 # No noise in robots' pictures: files would be twice the size.
 quiet=(--set robots.all.cameras.head.noise=0 --set robots.all.cameras.chest.noise=0)
 view() {
-  xvfb-run -a -s "-screen 0 1280x800x24" "$programs/murosimf-view" scenarios/game_3v3.toml "$@"
+  xvfb-run -a -s "-screen 0 1280x800x24" "$programs/murosimf-view" "$@"
 }
-view --script tools/viewer_pictures.txt "${quiet[@]}" --set robots.red.2.level=full
-view --script tools/viewer_pictures_oracle.txt --set robots.all.level=oracle
+view scenarios/game_3v3.toml --script tools/viewer_pictures.txt "${quiet[@]}" --set robots.red.2.level=full
+view scenarios/game_3v3.toml --script tools/viewer_pictures_oracle.txt --set robots.all.level=oracle
+view scenarios/mixed_teams.toml --script tools/viewer_pictures_scans.txt
 rm -f murosimf_*s.mp4  # the video that the Pictures panel is seen with

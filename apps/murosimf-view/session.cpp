@@ -17,14 +17,15 @@ double wallClock() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Assemblies in the order in which cameras label them, then the root and the cameras.
+/// Assemblies in the order in which cameras label them, then the root, the cameras and the range sensors.
 std::vector<ObjectId> drawnObjects(const World& world, const Participants& participants) {
   std::vector<ObjectId> objects = participants.free_bodies;
   objects.insert(objects.end(), participants.robots.begin(), participants.robots.end());
   objects.insert(objects.end(), participants.fixed.begin(), participants.fixed.end());
   objects.push_back(world.root());
   for (int i = 0; i < world.objectCount(); ++i) {
-    if (world.findEntry({i}, kCameraModel.name) != nullptr) objects.push_back({i});
+    const auto is = [&](const auto& model) { return world.findEntry({i}, model.name) != nullptr; };
+    if (is(kCameraModel) || is(kRangeModel)) objects.push_back({i});
   }
   return objects;
 }
@@ -43,6 +44,9 @@ Session::Session(Scene scene, const ViewerParts& parts, Diagnostics& diagnostics
   simulation_->observe(&plots_);
   RendererRegistry all = parts.renderers;
   all.add(ContactsRenderer::entry(*simulation_));
+  scan_places_ = std::make_unique<ScanPlaces>(*simulation_);
+  simulation_->observe(scan_places_.get());
+  all.add(ScansRenderer::entry(*simulation_, *scan_places_));
   renderings_ = std::make_unique<Renderings>(all, simulation_->world(), simulation_->linked(),
                                              drawnObjects(simulation_->world(), simulation_->participants()));
   simulation_->step();

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "game/game_observers.h"
+#include "game/scans_renderer.h"
 #include "murosimf-view/plots.h"
 #include "murosimf-view/pull.h"
 #include "murosimf-view/run_viewer.h"
@@ -87,6 +88,7 @@ class Session {
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<GameObservers> game_;
   Plots plots_;
+  std::unique_ptr<ScanPlaces> scan_places_;
   std::unique_ptr<FrameHistory> history_;
   std::unique_ptr<Renderings> renderings_;
   std::unique_ptr<RecordingPlayer> recording_;
