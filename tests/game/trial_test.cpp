@@ -93,6 +93,7 @@ TEST(Slalom, TouchingAPoleIsAFaultEachTimeItBegins) {
     Trial trial("slalom", {std::string("robots.all.level=") + level});
     trial.runUntilPlaying();
     trial.put(-1.2, 0.5), trial.put(-0.75, 0.5), trial.put(-0.75, 0.15), trial.put(-0.75, 0.5), trial.put(-0.75, 0.15);
+    EXPECT_EQ(trial.referee().scoreText(), "attempt 1 of 1, 2 faults") << level;
     passPoles(trial, 0.5, -0.5, 0.5);
     ASSERT_EQ(trial.attempts().size(), 1U) << level;
     EXPECT_EQ(trial.attempts()[0].outcome, Outcome::kFinished) << level;
@@ -159,13 +160,16 @@ TEST(ObstacleRun, BoxesStandOnFiveDifferentSitesAndAtMostTwoAbreast) {
 TEST(PenaltyKick, EndsWithAGoalBesideItOrWhenTheTimeIsUp) {
   Trial trial("penalty_kick", {"referee.attempts=3", "referee.time_limit=3"});
   trial.runUntilPlaying();
+  EXPECT_EQ(trial.referee().scoreText(), "attempt 1 of 3");
   trial.shoot(1.9, 0.6, 2, 0);
   trial.run(0.5);
   ASSERT_EQ(trial.attempts().size(), 1U);
+  EXPECT_EQ(trial.referee().scoreText(), "attempt 1 of 3: goal; 1 passed");
   EXPECT_EQ(trial.attempts()[0].outcome, Outcome::kGoal);
   EXPECT_TRUE(trial.attempts()[0].passed);
   EXPECT_EQ(trial.referee().score(Team::kRed), 1);
   trial.runUntilPlaying();
+  EXPECT_EQ(trial.referee().scoreText(), "attempt 2 of 3; 1 passed");
   trial.shoot(1.9, 1.2, 2, 0);
   trial.run(0.5);
   ASSERT_EQ(trial.attempts().size(), 2U);

@@ -1,5 +1,7 @@
 #include "murosimf/soccer/trial_referee.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "murosimf/math/random.h"
@@ -115,8 +117,17 @@ int TrialReferee::passed() const {
   return static_cast<int>(std::count_if(attempts_.begin(), attempts_.end(), [](const Attempt& a) { return a.passed; }));
 }
 
+/// Of the attempt that goes on, of the one that was judged last while everybody is put back, and at the end of all.
 std::string TrialReferee::scoreText() const {
-  return std::to_string(passed()) + " of " + std::to_string(attempts_.size()) + " attempts passed";
+  const std::size_t judged = attempts_.size();
+  if (state_.phase == GamePhase::kFinished) return fmt::format("{} of {} attempts passed", passed(), judged);
+  const bool pause = state_.phase == GamePhase::kReady && judged > 0;
+  std::string text = fmt::format("attempt {} of {}", pause ? judged : judged + 1, match_.attempts);
+  if (pause) text += ": " + nameOf(attempts_.back().outcome);
+  const int faults = pause ? attempts_.back().faults : trial_.faults;
+  if (faults > 0) text += fmt::format(", {} {}", faults, faults == 1 ? "fault" : "faults");
+  if (judged > 0) text += fmt::format("; {} passed", passed());
+  return text;
 }
 
 void TrialReferee::archive(StateArchive& archive) {
