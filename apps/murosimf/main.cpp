@@ -104,62 +104,93 @@ void addTable(CLI::App& bench, TableArguments& table) {
   command->add_flag("--quick", table.quick, "a try-out of seconds: short runs, large steps");
 }
 
+void addBench(CLI::App& app, TableArguments& table, GameArguments& game) {
+  table.threads = threadCounts({"1", "all"});
+  CLI::App* bench = app.add_subcommand("bench", "measure how much this machine simulates in real time");
+  bench->require_subcommand(1);
+  addTable(*bench, table);
+  addGame(*bench, game);
+}
+
+void addCheck(CLI::App& app, std::vector<std::string>& files) {
+  CLI::App* command = app.add_subcommand(
+      "check", "look for mistakes in scenarios (.toml), robots (.urdf) and calibrations (.yaml, .m)");
+  command->add_option("files", files, "files to check")->required();
+}
+
+void addModules(CLI::App& app, std::string& scenario) {
+  CLI::App* command = app.add_subcommand("modules", "print the table of modules and properties");
+  command->add_option("--scenario", scenario, "print the passes that this scenario schedules instead");
+}
+
+void addCompare(CLI::App& app, std::string& a, std::string& b) {
+  CLI::App* command = app.add_subcommand("compare", "say where two runs differ first");
+  command->add_option("a", a, "recording or report.json of the one run")->required();
+  command->add_option("b", b, "the same of the other")->required();
+}
+
+void addLevels(CLI::App& app, LevelsArguments& levels) {
+  CLI::App* command = app.add_subcommand("levels", "walk at every level of detail and print the results side by side");
+  command->add_option("--robots", levels.robots, "robots that walk at once")->check(CLI::Range(1, 60));
+  command->add_option("--seconds", levels.seconds, "length of the walk")->check(CLI::Range(0.1, 1e4));
+  command->add_option("--speed", levels.speed, "commanded [m/s]")->check(CLI::Range(0.0, 0.3));
+}
+
+/// Of all commands; one of them is asked for.
+struct Arguments {
+  RunArguments run;
+  RenderArguments render;
+  SweepArguments sweep;
+  TailorArguments tailor;
+  TableArguments table;
+  GameArguments game;
+  LevelsArguments levels;
+  std::vector<std::string> files;  // to check
+  std::string scenario;            // whose modules are printed
+  std::string a, b;                // to be compared
+};
+
+/// In the order in which --help names them.
+void addCommands(CLI::App& app, Arguments& arguments) {
+  app.require_subcommand(1);
+  addRun(app, arguments.run);
+  addRender(app, arguments.render);
+  addSweep(app, arguments.sweep);
+  addTailor(app, arguments.tailor);
+  addCheck(app, arguments.files);
+  addModules(app, arguments.scenario);
+  addCompare(app, arguments.a, arguments.b);
+  addLevels(app, arguments.levels);
+  addBench(app, arguments.table, arguments.game);
+}
+
+int perform(const CLI::App& app, const Arguments& arguments) {
+  const CLI::App& command = *app.get_subcommands().front();
+  const std::string& name = command.get_name();
+  if (name == "render") return renderPictures(arguments.render);
+  if (name == "sweep") return sweep(arguments.sweep);
+  if (name == "tailor") return tailor(arguments.tailor);
+  if (name == "check") return checkFiles(arguments.files);
+  if (name == "modules") return printModules(arguments.scenario);
+  if (name == "compare") return printComparison(arguments.a, arguments.b);
+  if (name == "levels") return printLevels(arguments.levels);
+  if (name == "bench") {
+    return command.got_subcommand("game") ? printGameSpeed(arguments.game) : printTable(arguments.table);
+  }
+  return runScenario(arguments.run);
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"murosimf: simulates teams of humanoid robots to test their control software"};
   app.set_version_flag("--version", MUROSIMF_VERSION);
-  app.require_subcommand(1);
-  RunArguments run_arguments;
-  addRun(app, run_arguments);
-  RenderArguments render_arguments;
-  addRender(app, render_arguments);
-  SweepArguments sweep_arguments;
-  const CLI::App* sweeping = addSweep(app, sweep_arguments);
-  TailorArguments tailor_arguments;
-  const CLI::App* tailoring = addTailor(app, tailor_arguments);
-
-  std::vector<std::string> files;
-  CLI::App* check = app.add_subcommand(
-      "check", "look for mistakes in scenarios (.toml), robots (.urdf) and calibrations (.yaml, .m)");
-  check->add_option("files", files, "files to check")->required();
-
-  std::string scenario;
-  CLI::App* modules = app.add_subcommand("modules", "print the table of modules and properties");
-  modules->add_option("--scenario", scenario, "print the passes that this scenario schedules instead");
-
-  std::string a, b;
-  CLI::App* compare = app.add_subcommand("compare", "say where two runs differ first");
-  compare->add_option("a", a, "recording or report.json of the one run")->required();
-  compare->add_option("b", b, "the same of the other")->required();
-
-  LevelsArguments levels_arguments;
-  CLI::App* levels = app.add_subcommand("levels", "walk at every level of detail and print the results side by side");
-  levels->add_option("--robots", levels_arguments.robots, "robots that walk at once")->check(CLI::Range(1, 60));
-  levels->add_option("--seconds", levels_arguments.seconds, "length of the walk")->check(CLI::Range(0.1, 1e4));
-  levels->add_option("--speed", levels_arguments.speed, "commanded [m/s]")->check(CLI::Range(0.0, 0.3));
-
-  TableArguments table_arguments;
-  table_arguments.threads = threadCounts({"1", "all"});
-  GameArguments game_arguments;
-  CLI::App* bench = app.add_subcommand("bench", "measure how much this machine simulates in real time");
-  bench->require_subcommand(1);
-  addTable(*bench, table_arguments);
-  addGame(*bench, game_arguments);
-
+  Arguments arguments;
+  addCommands(app, arguments);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : kWrongInput;
   }
-  if (app.got_subcommand("render")) return renderPictures(render_arguments);
-  if (sweeping->parsed()) return sweep(sweep_arguments);
-  if (tailoring->parsed()) return tailor(tailor_arguments);
-  if (bench->got_subcommand("table")) return printTable(table_arguments);
-  if (bench->got_subcommand("game")) return printGameSpeed(game_arguments);
-  if (check->parsed()) return checkFiles(files);
-  if (modules->parsed()) return printModules(scenario);
-  if (levels->parsed()) return printLevels(levels_arguments);
-  if (compare->parsed()) return printComparison(a, b);
-  return runScenario(run_arguments);
+  return perform(app, arguments);
 }
 
 }  // namespace
