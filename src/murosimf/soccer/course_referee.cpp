@@ -1,23 +1,18 @@
 #include "murosimf/soccer/course_referee.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace murosimf {
 
 CourseReferee::CourseReferee(const MatchSettings& match, Simulation& simulation) : TrialReferee(match, simulation) {
-  order_.resize(match.obstacles.size());
-  std::iota(order_.begin(), order_.end(), std::size_t{0});
-  const auto along = [&](std::size_t i) {
-    return inCourse({match.obstacles[i].start.x, match.obstacles[i].start.y, 0}).x;
-  };
-  std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) { return along(a) < along(b); });
   for (const MatchObstacle& obstacle : match.obstacles) {
+    poles_C_.push_back(inCourse({obstacle.start.x, obstacle.start.y, 0}));
     if (obstacle.movable) movable_.push_back(simulation.linked().handle(obstacle.object, kBasePose));
     if (attempter() < 0) continue;
     const ObjectId robot = match.robots[static_cast<std::size_t>(attempter())].object;
     watches_.emplace_back(simulation, robot, obstacle.object);
   }
+  std::stable_sort(poles_C_.begin(), poles_C_.end(), [](const Vector3& a, const Vector3& b) { return a.x < b.x; });
   startAnew();
 }
 
@@ -32,8 +27,8 @@ std::optional<Outcome> CourseReferee::judge(Simulation& simulation) {
   if (anyKnockedOver()) return Outcome::kKnocked;
   const Vector3 p_CB = inCourse(position(static_cast<std::size_t>(attempter()), simulation));
   if (match_.course.width > 0 && abs(p_CB.y) > 0.5 * match_.course.width) return Outcome::kLeft;
-  for (std::size_t place = 0; match_.rules == Rules::kSlalom && place < order_.size(); ++place) {
-    if (passesWrongly(place, p_CB)) return Outcome::kWrongSide;
+  for (std::size_t pole = 0; match_.rules == Rules::kSlalom && pole < poles_C_.size(); ++pole) {
+    if (passesWrongly(pole, p_CB)) return Outcome::kWrongSide;
   }
   if (p_CB.x > match_.course.length) return Outcome::kFinished;
   return std::nullopt;
@@ -52,12 +47,11 @@ bool CourseReferee::anyKnockedOver() const {
                      [](const Handle<Pose>& pose) { return pose.get().rotation.z.z < cos(kKnockedTilt); });
 }
 
-bool CourseReferee::passesWrongly(std::size_t place, const Vector3& p_CB) {
-  const MatchObstacle& pole = match_.obstacles[order_[place]];
-  const Vector3 p_CP = inCourse({pole.start.x, pole.start.y, 0});
-  if (passed_[order_[place]] != 0 || p_CB.x < p_CP.x) return false;
-  passed_[order_[place]] = 1;
-  const bool on_left = match_.course.first_passed_on_left == (place % 2 == 0);
+bool CourseReferee::passesWrongly(std::size_t pole, const Vector3& p_CB) {
+  const Vector3& p_CP = poles_C_[pole];
+  if (passed_[pole] != 0 || p_CB.x < p_CP.x) return false;
+  passed_[pole] = 1;
+  const bool on_left = match_.course.first_passed_on_left == (pole % 2 == 0);
   return (p_CB.y > p_CP.y) != on_left;
 }
 

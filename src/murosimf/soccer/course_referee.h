@@ -31,14 +31,15 @@ class CourseReferee final : public TrialReferee {
   void countTouches(const Simulation& simulation);
   bool anyKnockedOver() const;
   /// Whether the pole's line is crossed now on the wrong side.
-  bool passesWrongly(std::size_t place, const Vector3& p_CB);
+  bool passesWrongly(std::size_t pole, const Vector3& p_CB);
   Vector3 inCourse(const Vector3& p_W) const;
 
-  std::vector<std::size_t> order_;     // of the obstacles, by their x in C
+  std::vector<Vector3> poles_C_;       // where the obstacles stood at first, by their x
   std::vector<Handle<Pose>> movable_;  // poses of the obstacles that may be knocked over
   std::vector<TouchWatch> watches_;    // as MatchSettings::obstacles
-  // Of the attempt, as MatchSettings::obstacles.
-  std::vector<char> touching_, passed_;
+  // Of the attempt.
+  std::vector<char> touching_;  // as MatchSettings::obstacles
+  std::vector<char> passed_;    // as poles_C_
 };
 
 }  // namespace murosimf

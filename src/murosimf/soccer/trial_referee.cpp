@@ -100,10 +100,10 @@ void TrialReferee::putEverything(Simulation& simulation) {
 
 void TrialReferee::finishAttempt(Simulation& simulation, Outcome outcome) {
   const bool good = outcome == Outcome::kGoal || outcome == Outcome::kFinished;
-  const bool faultless = match_.rules != Rules::kSlalom || trial_.faults == 0;
+  const bool faultless = match_.rules != Rules::kSlalom || faults_ == 0;
   const double time = seconds(simulation.frame() - state_.phase_began);
-  attempts_.push_back({outcome, good && faultless, time, trial_.faults});
-  trial_ = {};
+  attempts_.push_back({outcome, good && faultless, time, faults_});
+  faults_ = 0;
   if (outcome == Outcome::kGoal) {
     ++state_.score[teamIndex(match_.kickoff_team)];
     note(MatchEvent::Kind::kGoal, match_.kickoff_team, state_.exit_time);
@@ -132,7 +132,7 @@ std::string TrialReferee::scoreText() const {
 
 void TrialReferee::archive(StateArchive& archive) {
   Referee::archive(archive);
-  archive(trial_, attempts_);
+  archive(faults_, attempts_);
 }
 
 }  // namespace murosimf

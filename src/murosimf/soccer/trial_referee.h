@@ -49,7 +49,7 @@ class TrialReferee : public Referee {
   virtual std::optional<Outcome> judge(Simulation& simulation) = 0;
   /// A new attempt begins.
   virtual void startAnew() = 0;
-  void countFault() { ++trial_.faults; }
+  void countFault() { ++faults_; }
   /// Its place in MatchSettings::robots; -1: there is none.
   int attempter() const { return attempter_; }
 
@@ -60,11 +60,8 @@ class TrialReferee : public Referee {
   void putRobots(Simulation& simulation);
   void finishAttempt(Simulation& simulation, Outcome outcome);
 
-  struct Trial {
-    int faults = 0;  // of the attempt
-  };
   int attempter_ = -1;
-  Trial trial_;
+  int faults_ = 0;  // of the attempt
   std::vector<Attempt> attempts_;
 };
 
