@@ -16,8 +16,6 @@ constexpr double kEdge = 0.08, kOutside = 100;  // distance from the strip's edg
 constexpr double kWallHalfWidth = 0.06, kWallCost = 300;
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
-bool later(double a, double b) { return a > b; }
-
 }  // namespace
 
 void WayGrid::start(const client::CourseDescription& course) {
@@ -82,9 +80,8 @@ void WayGrid::plan(std::span<const Point> obstacles_C, std::span<const CourseWal
     way_cost_[i] = finish ? 0 : kUnknown;
     if (finish) heap_.push_back({0, cell});
   }
-  const auto order = [](const Entry& a, const Entry& b) { return later(a.cost, b.cost); };
   while (!heap_.empty()) {
-    std::pop_heap(heap_.begin(), heap_.end(), order);
+    std::pop_heap(heap_.begin(), heap_.end(), costsMore);
     const Entry entry = heap_.back();
     heap_.pop_back();
     if (entry.cost > way_cost_[static_cast<std::size_t>(entry.cell)]) continue;
@@ -100,7 +97,7 @@ void WayGrid::relax(int cell) {
     if (!(cost < way_cost_[k])) return;
     way_cost_[k] = cost;
     heap_.push_back({cost, other});
-    std::push_heap(heap_.begin(), heap_.end(), [](const Entry& a, const Entry& b) { return later(a.cost, b.cost); });
+    std::push_heap(heap_.begin(), heap_.end(), costsMore);
   });
 }
 

@@ -36,6 +36,8 @@ class WayGrid {
     double cost = 0;
     int cell = 0;
   };
+  /// The order of a heap with the cheapest on top.
+  static bool costsMore(const Entry& a, const Entry& b) { return a.cost > b.cost; }
   double costAt(const Point& p_C, std::span<const Point> obstacles_C, std::span<const CourseWall> walls) const;
   Point centre(int cell) const;
   int cellOf(const Point& p_C) const;
