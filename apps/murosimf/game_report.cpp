@@ -72,12 +72,6 @@ nlohmann::ordered_json teamSums(const MatchResult& result, Team team) {
           {"own_goals", sum.own_goals}};
 }
 
-bool isOnWheels(const World& world, ObjectId robot) {
-  const auto* wheels = world.findShared(robot, kWheels);
-  const auto* soles = world.findShared(robot, kSoles);
-  return wheels != nullptr && !wheels->empty() && (soles == nullptr || soles->empty());
-}
-
 nlohmann::ordered_json perceptFigures(const PerceptResult& r, const std::string& robot) {
   return {{"robot", robot},
           {"pictures", r.pictures},

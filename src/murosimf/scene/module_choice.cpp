@@ -214,6 +214,10 @@ void addFocus(const RobotSettings& robot, MotionPlan& plan, Diagnostics& diagnos
 
 }  // namespace
 
+bool isOnWheels(const World& world, ObjectId robot) {
+  return !world.members(robot, subset::kWheels).empty() && world.members(robot, subset::kSoles).empty();
+}
+
 MotionPlan motionPlanOf(const RobotSettings& robot, Diagnostics& diagnostics, bool on_wheels) {
   const std::string usual(levelNamed(*robot.level, on_wheels).motion);
   const ModuleChoice* choice = choiceFor(robot, "motion");

@@ -10,6 +10,8 @@
 
 namespace murosimf {
 
+/// Whether the robot stands on wheels alone: it has wheels or castors and no soles.
+bool isOnWheels(const World& world, ObjectId robot);
 /// Which motion the robot has from when on. What its level brings depends on whether it stands on wheels.
 MotionPlan motionPlanOf(const RobotSettings& robot, Diagnostics& diagnostics, bool on_wheels = false);
 /// The robot's modules at all levels of detail of its plan, with their parameters; the assembly is the caller's to fill

@@ -213,8 +213,7 @@ std::unique_ptr<Simulation> WorldBuilder::joinAll(std::unique_ptr<LinkedWorld> l
 bool WorldBuilder::assignModules(Linker& linker, const ModuleRegistry& registry) {
   const int before = diagnostics_.errorCount();
   for (Outfit& outfit : outfits_) {
-    const bool on_wheels = !outfit.model->wheels.empty() && outfit.model->soles.empty();
-    outfit.plan = motionPlanOf(*outfit.robot, diagnostics_, on_wheels);
+    outfit.plan = motionPlanOf(*outfit.robot, diagnostics_, isOnWheels(*world_, outfit.id));
     assign(linker, registry, outfit.id, *outfit.robot, outfit.plan);
   }
   for (const Movable& movable : movables_)
