@@ -31,31 +31,6 @@ std::vector<OracleTarget> targetsOf(const SceneView& view, const std::vector<Lan
 
 }  // namespace
 
-void SightQueue::add(std::vector<Sighting>& sightings, long frame) {
-  if (count_ == looks_.size()) {
-    first_ = (first_ + 1) % looks_.size();
-    --count_;
-  }
-  Look& look = at(count_++);
-  std::swap(look.sightings, sightings);
-  look.frame = frame;
-}
-
-long SightQueue::next(long frame, std::vector<Sighting>& sightings) {
-  if (count_ == 0 || at(0).frame + delay_ > frame) return -1;
-  Look& look = at(0);
-  std::swap(look.sightings, sightings);
-  first_ = (first_ + 1) % looks_.size();
-  --count_;
-  return look.frame;
-}
-
-void SightQueue::archive(StateArchive& archive) {
-  archive(count_);
-  if (archive.loading()) first_ = 0;
-  for (std::size_t i = 0; i < count_; ++i) archive(at(i).sightings, at(i).frame);
-}
-
 OracleCamera::OracleCamera(const World& world, const SceneView& view, ObjectId robot, ObjectId camera,
                            const CameraModel& lens, std::span<const Landmark> landmarks, const OracleSettings& settings,
                            std::uint64_t seed, double frame_length)
@@ -68,8 +43,7 @@ OracleCamera::OracleCamera(const World& world, const SceneView& view, ObjectId r
   for (std::size_t k = 0; k < kSightKinds; ++k) {
     const double delay = settings.errors[k].delay;
     const auto most = static_cast<std::size_t>(std::ceil(delay / settings.period)) + 2;
-    for (SightQueue* queue : {&queues_[k], &true_queues_[k]})
-      *queue = SightQueue(std::lround(delay / frame_length), most, room);
+    queues_[k] = true_queues_[k] = {std::lround(delay / frame_length), most, std::vector<Sighting>(room)};
     for (std::vector<Sighting>* list : {&told_[k], &true_[k], &arrived_[k].sightings, &arrived_[k].truth})
       list->reserve(room);
   }
@@ -99,18 +73,22 @@ bool OracleCamera::deliver(long frame) {
   arrived_count_ = 0;
   for (std::size_t k = 0; k < kSightKinds; ++k) {
     ArrivedSights& arrived = arrived_[arrived_count_];
-    const long taken = queues_[k].next(frame, arrived.sightings);
-    if (taken < 0) continue;
+    const std::optional<long> taken = queues_[k].next(frame, arrived.sightings);
+    if (!taken) continue;
     true_queues_[k].next(frame, arrived.truth);
     arrived.kind = static_cast<SightKind>(k);
-    arrived.time = timeOf(taken);
+    arrived.time = timeOf(*taken);
     ++arrived_count_;
   }
   return arrived_count_ > 0;
 }
 
 void OracleCamera::archive(StateArchive& archive) {
-  for (std::size_t k = 0; k < kSightKinds; ++k) archive(queues_[k], true_queues_[k]);
+  const auto one = [&](std::vector<Sighting>& sightings, long& frame) { archive(sightings, frame); };
+  for (std::size_t k = 0; k < kSightKinds; ++k) {
+    queues_[k].archive(archive, one);
+    true_queues_[k].archive(archive, one);
+  }
 }
 
 }  // namespace murosimf

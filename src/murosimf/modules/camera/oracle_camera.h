@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "murosimf/math/arrival_queue.h"
 #include "murosimf/modules/camera/mounted_camera.h"
 #include "murosimf/modules/camera/sight_distorter.h"
 
@@ -19,32 +20,6 @@ struct OracleSettings {
   double period = 0.05;  ///< between looks [s]
   double phase = 0;      ///< time of the first look [s]
   ErrorsByKind errors;
-};
-
-/// Sightings of one kind on their way, look by look. Of more than there is room for, the oldest are lost.
-class SightQueue {
- public:
-  SightQueue() = default;
-  /// @param delay  [frames] @param most  looks on their way at the same time @param room  sightings of each
-  SightQueue(long delay, std::size_t most, std::size_t room) : delay_(delay), looks_(most) {
-    for (Look& look : looks_) look.sightings.reserve(room);
-  }
-  /// Takes the sightings of a look at the end of a frame, and gives older memory for them.
-  void add(std::vector<Sighting>& sightings, long frame);
-  /// Hands over the oldest look that has arrived by the end of this frame. @return its frame; -1: none has
-  long next(long frame, std::vector<Sighting>& sightings);
-  void archive(StateArchive& archive);
-
- private:
-  struct Look {
-    std::vector<Sighting> sightings;
-    long frame = 0;
-  };
-  Look& at(std::size_t i) { return looks_[(first_ + i) % looks_.size()]; }
-
-  long delay_ = 0;
-  std::vector<Look> looks_;  // a ring
-  std::size_t first_ = 0, count_ = 0;
 };
 
 /// What has arrived of one kind: nothing in `sightings` where nothing was seen.
@@ -91,7 +66,7 @@ class OracleCamera final : public MountedCamera {
   OracleEye eye_;
   SightDistorter distorter_;
   SightingsByKind told_, true_;
-  std::array<SightQueue, kSightKinds> queues_, true_queues_;
+  std::array<ArrivalQueue<std::vector<Sighting>>, kSightKinds> queues_, true_queues_;
   std::array<ArrivedSights, kSightKinds> arrived_;
   std::size_t arrived_count_ = 0;
 };

@@ -73,7 +73,7 @@ void RobotCamera::develop() {
 
 bool RobotCamera::deliver(long frame) {
   while (late() && !taken_.empty() && taken_.front().frame + latency_ <= frame) develop();
-  const long taken = late() ? queue_.next(frame, shown_) : std::exchange(waits_, false) ? last_frame_ : -1;
+  const long taken = late() ? queue_.next(frame, shown_).value_or(-1) : std::exchange(waits_, false) ? last_frame_ : -1;
   if (taken < 0) return false;
   time_ = timeOf(taken) - settings_.shutter.age();
   if (settings_.format != PixelFormat::kRgb)
@@ -99,7 +99,10 @@ void RobotCamera::finishLight(const Taken& taken) {
 /// Pictures are kept as they are delivered: those that are still being made are waited for.
 void RobotCamera::archive(StateArchive& archive) {
   while (!taken_.empty()) develop();
-  archive(last_frame_, queue_);
+  archive(last_frame_);
+  queue_.archive(archive, [&](Picture& picture, long& frame) {
+    archive(picture.width, picture.height, picture.rgb, picture.depth, picture.label, frame);
+  });
   for (const auto& module : chain_) module->archive(archive);
 }
 

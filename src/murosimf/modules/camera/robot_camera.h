@@ -6,10 +6,10 @@
 #include <string>
 
 #include "murosimf/algorithms/light/pixel_format.h"
+#include "murosimf/math/arrival_queue.h"
 #include "murosimf/modules/camera/mounted_camera.h"
 #include "murosimf/modules/camera/picture_maker.h"
 #include "murosimf/modules/camera/picture_modules.h"
-#include "murosimf/modules/camera/picture_queue.h"
 
 namespace murosimf {
 
@@ -86,7 +86,7 @@ class RobotCamera final : public MountedCamera {
   LightPicture light_;
   Picture picture_, shown_;  // shown_: where there is latency
   long latency_;             // [frames]
-  PictureQueue queue_;
+  ArrivalQueue<Picture> queue_;
   bool waits_ = false;               // picture_ has not been delivered yet
   std::vector<std::uint8_t> bytes_;  // in a format that is not the picture's
   double time_ = 0;

@@ -41,15 +41,14 @@ RangeSensor::RangeSensor(const World& world, const SceneView& view, ObjectId rob
       noise_(numberOf(world, sensor, kRangeNoise, 0, 100)),
       noise_share_(numberOf(world, sensor, kRangeNoiseShare, 0, 10)),
       quantum_(numberOf(world, sensor, kRangeQuantum, 0, 100)),
-      delay_(std::lround(numberOf(world, sensor, kRangeDelay, 0, 10) / frame_length)),
       key_(RandomStream(seed, path(), hashName("range")).key()),
       distances_(model_.directions.size()),
-      waiting_(kMostOnTheWay) {
+      read_(static_cast<std::size_t>(model_.readings()), kNever),
+      waiting_(std::lround(numberOf(world, sensor, kRangeDelay, 0, 10) / frame_length), kMostOnTheWay, read_),
+      arrived_(read_) {
   const RandomStream once(seed, path(), hashName("range_bias"));
   error_ = fma(numberOf(world, sensor, kRangeBias, 0, 100), once.normal(0),
                numberOf(world, sensor, kRangeOffset, -100, 100));
-  for (Scan& scan : waiting_) scan.ranges.assign(static_cast<std::size_t>(model_.readings()), kNever);
-  arrived_ = waiting_.front();
 }
 
 void RangeSensor::order(const RayScene& scene, const MovingCamera& place, long frame) {
@@ -58,14 +57,9 @@ void RangeSensor::order(const RayScene& scene, const MovingCamera& place, long f
 
 void RangeSensor::look() {
   caster_.cast(*order_.scene, order_.X_WS, distances_);
-  if (count_ == waiting_.size()) {
-    first_ = (first_ + 1) % waiting_.size();
-    --count_;
-  }
-  Scan& scan = waiting_[(first_ + count_++) % waiting_.size()];
-  scan.frame = order_.frame;
   if (model_.nearest) distances_.front() = *std::min_element(distances_.begin(), distances_.end());
-  for (std::size_t i = 0; i < scan.ranges.size(); ++i) scan.ranges[i] = reading(distances_[i], order_.frame, i);
+  for (std::size_t i = 0; i < read_.size(); ++i) read_[i] = reading(distances_[i], order_.frame, i);
+  waiting_.add(read_, order_.frame);
 }
 
 double RangeSensor::reading(double distance, long frame, std::size_t number) const {
@@ -85,22 +79,15 @@ double RangeSensor::reading(double distance, long frame, std::size_t number) con
 /// Of several that have come, the newest.
 bool RangeSensor::deliver(long frame) {
   bool any = false;
-  while (count_ > 0 && waiting_[first_].frame + delay_ <= frame) {
-    std::swap(arrived_, waiting_[first_]);
-    first_ = (first_ + 1) % waiting_.size();
-    --count_;
+  while (const std::optional<long> taken = waiting_.next(frame, arrived_)) {
+    arrived_frame_ = *taken;
     any = true;
   }
   return any;
 }
 
 void RangeSensor::archive(StateArchive& archive) {
-  archive(count_);
-  if (archive.loading()) first_ = 0;
-  for (std::size_t i = 0; i < count_; ++i) {
-    Scan& scan = waiting_[(first_ + i) % waiting_.size()];
-    archive(scan.frame, scan.ranges);
-  }
+  waiting_.archive(archive, [&](std::vector<double>& ranges, long& frame) { archive(frame, ranges); });
 }
 
 }  // namespace murosimf

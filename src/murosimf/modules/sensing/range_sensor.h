@@ -10,9 +10,8 @@
 ///            as of other sensors (sensor_errors.h). What is farther than `largest`, before or with its error, reads
 ///            plus infinity, what is nearer than `least` minus infinity [ROS REP 117].
 /// Random     Numbers are addressed by (seed, path of the sensor, frame, reading).
-/// Delay      A scan arrives with the first sensor frame `delay` after it was taken, at most kMostOnTheWay at a time;
-/// it
-///            keeps the time at which it was taken.
+/// Delay      A scan arrives with the first sensor frame `delay` after it was taken, and keeps the time at which it was
+///            taken. At most kMostOnTheWay are on their way at a time.
 /// Needs      range_model, range_place, range_period, range_phase and what is wrong with its readings; hidden_rows.
 /// Cost       some 5 us for 181 rays among 149 shapes, most of which spheres about them leave out.
 
@@ -20,6 +19,7 @@
 #include <vector>
 
 #include "murosimf/algorithms/range_caster.h"
+#include "murosimf/math/arrival_queue.h"
 #include "murosimf/modules/camera/mounted_camera.h"
 #include "murosimf/world/vocabulary.h"
 
@@ -33,8 +33,8 @@ class RangeSensor final : public MountedCamera {
 
   const RangeModel& model() const { return model_; }
   /// Of the scan that the last deliver() let arrive: its readings [m] and time [s].
-  std::span<const double> ranges() const { return arrived_.ranges; }
-  double time() const { return timeOf(arrived_.frame); }
+  std::span<const double> ranges() const { return arrived_; }
+  double time() const { return timeOf(arrived_frame_); }
 
   bool needsMotion() const override { return false; }
   void order(const RayScene& scene, const MovingCamera& place, long frame) override;
@@ -45,10 +45,6 @@ class RangeSensor final : public MountedCamera {
   static constexpr std::size_t kMostOnTheWay = 16;
 
  private:
-  struct Scan {
-    long frame = 0;
-    std::vector<double> ranges;
-  };
   struct Order {
     const RayScene* scene = nullptr;
     Pose X_WS;
@@ -59,13 +55,12 @@ class RangeSensor final : public MountedCamera {
   RangeModel model_;
   RangeCaster caster_;
   double error_ = 0, noise_ = 0, noise_share_ = 0, quantum_ = 0;
-  long delay_ = 0;  // [frames]
   std::uint64_t key_ = 0;
   Order order_;
-  std::vector<double> distances_;
-  std::vector<Scan> waiting_;  // a ring
-  std::size_t first_ = 0, count_ = 0;
-  Scan arrived_;
+  std::vector<double> distances_, read_;  // of a scan, before and after its errors
+  ArrivalQueue<std::vector<double>> waiting_;
+  std::vector<double> arrived_;
+  long arrived_frame_ = 0;
 };
 
 }  // namespace murosimf
