@@ -2,9 +2,8 @@
 
 /// @file What a cart is to do, as a scenario's `role` says it.
 ///
-///     square 0.8 0.3   drives a square with edges of 0.8 m at 0.3 m/s, by the turning of its wheels alone: with
-///     rollers
-///                      without turning, with tyres it turns a quarter at each corner
+///     square 0.8 0.3   drives a square with edges of 0.8 m at 0.3 m/s, by the turning of its wheels alone: on rollers
+///                      it keeps its heading, on tyres it turns a quarter at each corner
 ///     drive 0.3 0 0.5  forward and to the left [m/s], turning to the left [rad/s], on and on
 ///     rest             stays where it is
 /// Anything else, as "keeper" or nothing: it plays.
