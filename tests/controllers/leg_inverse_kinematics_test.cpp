@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "book/page.h"
+
 namespace murosimf::controllers {
 namespace {
 
@@ -43,6 +45,37 @@ RC_GTEST_PROP(LegInverseKinematics, UndoesForwardKinematics, ()) {
   RC_PRE(applyTransposed(footRotation(q), -anklePosition(q)).z > 0.02);
   const LegAngles found = solveLeg(anklePosition(q), footRotation(q)).angles;
   for (std::size_t i = 0; i < 6; ++i) RC_ASSERT(std::abs(found[i] - q[i]) < 1e-9);
+}
+
+/// The largest difference of two rotations' axes.
+double difference(const Rotation3& a, const Rotation3& b) {
+  return std::max({norm(a.x - b.x), norm(a.y - b.y), norm(a.z - b.z)});
+}
+
+TEST(LegInverseKinematics, PutsTheFootWhereItIsWantedFromFoldedToStretched) {
+  book::Page page({book::Chapter::kRobots,
+                   "Leg inverse kinematics puts the foot where it is wanted, from the folded to the stretched leg",
+                   "p = R_z(q_1) R_x(q_2) R_y(q_3) \\left[ (0, 0, -a) + R_y(q_4) (0, 0, -b) \\right]\n"
+                   "R = R_z(q_1) R_x(q_2) R_y(q_3 + q_4 + q_5) R_x(q_6)",
+                   "Closed form [Pieper 1968], put into forward kinematics; allowed: rounding",
+                   {{"p, R", "ankle from the hip; foot in the pelvis, in three turns of the leg", "m, 1"},
+                    {"a, b", "thigh and shank, here both 0.125", "m"}},
+                   {"reach $|p| / (a + b)$", ""},
+                   {"error of the foot", "m, 1"}});
+  for (int i = 0; i <= 24; ++i) {
+    const double reach = 0.4 + 0.599 * i / 24;
+    double position = 0, rotation = 0;
+    for (const Vector3& turn : {Vector3{0, 0, 0}, Vector3{10, -15, 20}, Vector3{-8, 12, -30}}) {
+      const Rotation3 R = fromRollPitchYaw(degrees(1) * turn);
+      const Vector3 p = R * (rotationY(0.2) * Vector3{0, 0, -reach * (kThigh + kShank)});
+      const LegSolution leg = solveLeg(p, R);
+      EXPECT_TRUE(leg.within_reach) << reach;
+      position = std::max(position, norm(anklePosition(leg.angles) - p));
+      rotation = std::max(rotation, difference(footRotation(leg.angles), R));
+    }
+    EXPECT_TRUE(page.series("ankle [m]").below(reach, position, 1e-14));
+    EXPECT_TRUE(page.series("axes of the foot").below(reach, rotation, 1e-14));
+  }
 }
 
 TEST(LegInverseKinematics, StretchesToItsLimitBeyondReach) {

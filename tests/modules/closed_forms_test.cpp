@@ -42,6 +42,58 @@ TEST(ClosedForms, DoublePendulumReachesItsReferenceState) {
   }
 }
 
+/// Angles from the vertical of both rods of a double pendulum with masses of 1 kg on rods of 1 m, and their rates.
+using DoublePendulum = std::array<double, 4>;
+/// Lagrange's equations, solved for the accelerations by hand.
+DoublePendulum ratesOf(const DoublePendulum& s) {
+  const double d = s[0] - s[1], sine = std::sin(d), cosine = std::cos(d);
+  const double first = -s[3] * s[3] * sine - 2 * kGravity * std::sin(s[0]);
+  const double second = s[2] * s[2] * sine - kGravity * std::sin(s[1]);
+  const double a = (first - cosine * second) / (2 - cosine * cosine);
+  return {s[2], s[3], a, second - cosine * a};
+}
+/// By the classical method of Runge and Kutta in steps of 0.1 ms.
+DoublePendulum goOn(DoublePendulum s, double seconds) {
+  constexpr double kStep = 1e-4;
+  const auto ahead = [](const DoublePendulum& from, const DoublePendulum& rate, double time) {
+    DoublePendulum to = from;
+    for (std::size_t i = 0; i < 4; ++i) to[i] += time * rate[i];
+    return to;
+  };
+  for (long step = std::lround(seconds / kStep); step > 0; --step) {
+    const DoublePendulum a = ratesOf(s), b = ratesOf(ahead(s, a, kStep / 2)), c = ratesOf(ahead(s, b, kStep / 2)),
+                         d = ratesOf(ahead(s, c, kStep));
+    for (std::size_t i = 0; i < 4; ++i) s[i] += kStep / 6 * (a[i] + 2 * b[i] + 2 * c[i] + d[i]);
+  }
+  return s;
+}
+
+TEST(ClosedForms, DoublePendulumFollowsLagrangesEquations) {
+  book::Page page({book::Chapter::kMechanisms,
+                   "A double pendulum that falls from level rods goes the way of Lagrange's equations",
+                   "2 \\ddot\\theta_1 + \\ddot\\theta_2 \\cos\\delta + \\dot\\theta_2^2 \\sin\\delta "
+                   "+ 2 g \\sin\\theta_1 = 0\n"
+                   "\\ddot\\theta_2 + \\ddot\\theta_1 \\cos\\delta - \\dot\\theta_1^2 \\sin\\delta "
+                   "+ g \\sin\\theta_2 = 0, \\quad \\delta = \\theta_1 - \\theta_2",
+                   "Lagrange; a second implementation, integrated on its own",
+                   {{"\\theta_1, \\theta_2", "angles of the rods from the vertical; rods 1 m, masses 1 kg", "rad"}},
+                   {"time $t$", "s"},
+                   {"angle", "rad"}});
+  TestRig rig(stand());
+  rig.joint(0, JointKind::kRevolute, kY, {0, 0, 0}, pointMass(1, {0, 0, -1}));
+  rig.joint(1, JointKind::kRevolute, kY, {0, 0, -1}, pointMass(1, {0, 0, -1}));
+  rig.use<Support>("support");
+  rig.link(kExact, 0.05);
+  DoublePendulum theory{kPi / 2, kPi / 2, 0, 0};
+  rig.set(0, kPi / 2, 0), rig.set(1, 0, 0);
+  for (int i = 1; i <= 60; ++i) {
+    rig.run(0.05);
+    theory = goOn(theory, 0.05);
+    EXPECT_TRUE(page.series("$\\theta_1$").near(0.05 * i, rig.q(0), theory[0], 1e-10));
+    EXPECT_TRUE(page.series("$\\theta_2$").near(0.05 * i, rig.q(0) + rig.q(1), theory[1], 1e-10));
+  }
+}
+
 TEST(ClosedForms, DoublePendulumKeepsItsEnergyAsTheOrderOfTheMethodSays) {
   const auto drift = [](const Method& method, double step) {
     TestRig rig(stand());

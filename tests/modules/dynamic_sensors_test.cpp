@@ -69,18 +69,26 @@ TEST(DynamicInertialSensor, InFreeFallItFeelsOnlyItsCircleAboutTheCentreOfMass) 
   }
 }
 
-TEST(FootPressure, OfAStandingRobotIsItsWeightAndItsCentreLiesUnderTheCentreOfMass) {
+struct Standing {
+  Vector3 centre_of_pressure, centre_of_mass;  // in W
+  double force = 0, mass = 0;
+};
+
+/// KS21 with the feet as in walking and its hips turned forward by `lean` [rad], when it has come to rest.
+Standing standing(double lean) {
+  constexpr std::size_t kHipPitches[2] = {11, 17};
+  std::vector<double> q = gait(0, {}, 0);
+  for (const std::size_t hip : kHipPitches) q[hip] -= lean;
   DynamicWorld world(1e-3);
-  const ObjectId robot = world.add("robot", ks21(), gait(0, {}, 0));
+  const ObjectId robot = world.add("robot", ks21(), q);
   DynamicLevel level = multibody();
   level.modules.emplace_back("foot_pressure");
   world.link(level);
-  world.run(3);
+  world.run(10);
   const auto soles = *world.world().findShared(robot, kSoles);
   const std::vector<KernelRow> rows = kernelRows(ks21().flat.table);
   std::vector<Pose> X{world.base(robot)};
-  Vector3 first;
-  double mass = 0, sum = 0;
+  Standing all;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const int row = static_cast<int>(i);
     if (row > 0) {
@@ -89,23 +97,39 @@ TEST(FootPressure, OfAStandingRobotIsItsWeightAndItsCentreLiesUnderTheCentreOfMa
     }
     const RigidInertia<double> body =
         *world.world().find(world.world().members(robot, subset::kBodies)[i], kBodyInertia);
-    mass += body.m;
-    first += X[i] * (body.mc * (1 / body.m)) * body.m;
+    all.mass += body.m;
+    all.centre_of_mass += X[i] * (body.mc * (1 / body.m)) * body.m;
   }
-  Vector3 centre_of_pressure;
+  all.centre_of_mass = all.centre_of_mass * (1 / all.mass);
   for (int s = 0; s < 2; ++s) {
     const SolePlace& sole = soles[static_cast<std::size_t>(s)];
     const CornerForces<> corners = world.get(robot, kSolePressure, subset::kSoles, s);
     for (int k = 0; k < 4; ++k) {
       const Vector3 corner{(k & 1) != 0 ? sole.half_length : -sole.half_length,
                            (k & 2) != 0 ? sole.half_width : -sole.half_width, 0};
-      sum += corners.of[k];
-      centre_of_pressure += X[static_cast<std::size_t>(sole.mount.row)] * sole.mount.X_RM * corner * corners.of[k];
+      all.force += corners.of[k];
+      all.centre_of_pressure += X[static_cast<std::size_t>(sole.mount.row)] * sole.mount.X_RM * corner * corners.of[k];
     }
   }
-  EXPECT_NEAR(sum, mass * kG, 1e-3 * mass * kG);
-  EXPECT_NEAR(centre_of_pressure.x / sum, first.x / mass, 2e-4);
-  EXPECT_NEAR(centre_of_pressure.y / sum, first.y / mass, 2e-4);
+  all.centre_of_pressure = all.centre_of_pressure * (1 / all.force);
+  return all;
+}
+
+TEST(FootPressure, OfAStandingRobotIsItsWeightAndItsCentreLiesUnderTheCentreOfMass) {
+  book::Page page({book::Chapter::kSensors,
+                   "The centre of pressure of a standing robot lies under its centre of mass, however it leans",
+                   R"(\frac{\sum f_i p_i}{\sum f_i} = \frac{\sum m_k c_k}{\sum m_k}, \quad \sum f_i = m g)",
+                   "Statics: balance of forces and moments; horizontal coordinates",
+                   {{"f_i, p_i", "forces that the corners of the soles read, and where these are", "N, m"},
+                    {"m_k, c_k", "masses of KS21's bodies, and where their centres are", "kg, m"}},
+                   {"turn of both hips forward", "rad"},
+                   {"centre of pressure from where the robot was put", "m"}});
+  for (const double lean : {-0.08, -0.04, 0.0, 0.04, 0.08}) {
+    const Standing robot = standing(lean);
+    EXPECT_NEAR(robot.force, robot.mass * kG, 1e-3 * robot.mass * kG) << lean;
+    EXPECT_TRUE(page.series("forward").near(lean, robot.centre_of_pressure.x, robot.centre_of_mass.x, 1e-5));
+    EXPECT_TRUE(page.series("to the left").near(lean, robot.centre_of_pressure.y, robot.centre_of_mass.y, 1e-5));
+  }
 }
 
 TEST(JointTorqueSensor, OfAStandingRobotHoldsWhatHangsOnTheJoints) {

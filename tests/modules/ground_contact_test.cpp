@@ -177,21 +177,38 @@ TEST(GroundContact, SlidingBallRollsAwayWithFiveSeventhsOfItsSpeed) {
   EXPECT_NEAR((b.pose().rotation * b.velocity().w).y * 0.05, 5.0 / 7, 0.01);
 }
 
-/// Whether a tall box that leans by `angle` about its lower edge falls onto its side.
-bool tips(double angle) {
-  const Vector3 edges{0.06, 0.2, 0.2};
+/// Whether a box of this width and height that leans by `angle` about its lower edge falls onto its side.
+bool tips(double angle, double width, double height) {
+  const Vector3 edges{width, 0.2, height};
   SingleBody b(bodyOf(makeBox(edges), boxMass(kMass, edges, {})), turf(1e6), 1e-3, "hunt_crossley_contact",
                "implicit_euler");
   const Rotation3 R = rotationY(angle);
-  b.set({R, Vector3{} - R * Vector3{0.03, 0, -0.1}});  // the edge at the origin
+  b.set({R, Vector3{} - R * Vector3{width / 2, 0, -height / 2}});  // the edge at the origin
   b.run(2);
-  return b.pose().rotation.z.z < 0.5;
+  return b.pose().rotation.z.z < std::cos(1.2 * std::atan(width / height));
 }
 
 TEST(GroundContact, BoxTipsWhenItsCentreLeavesTheEdgeItStandsOn) {
-  const double critical = std::atan2(0.03, 0.1);
-  EXPECT_FALSE(tips(critical - 0.009));
-  EXPECT_TRUE(tips(critical + 0.009));
+  book::Page page({book::Chapter::kOnTheGround,
+                   "A box tips as soon as its centre of mass is beyond the edge that it stands on",
+                   R"(\tan \alpha = w / h)",
+                   "Balance of moments about the edge; found by halving",
+                   {{"\\alpha", "lean at which the box falls onto its side", "rad"},
+                    {"w, h", "width and height of the box, h here 0.2", "m"}},
+                   {"slenderness $w / h$", ""},
+                   {"lean $\\alpha$", "rad"}});
+  page.curve(0.15, 1.05, [](double slenderness) { return std::atan(slenderness); });
+  for (const double slenderness : {0.2, 0.3, 0.45, 0.7, 1.0}) {
+    const double height = 0.2, theory = std::atan(slenderness);
+    double stands = theory - 0.1, falls = theory + 0.1;
+    ASSERT_FALSE(tips(stands, slenderness * height, height));
+    ASSERT_TRUE(tips(falls, slenderness * height, height));
+    while (falls - stands > 1e-3) {
+      const double middle = (stands + falls) / 2;
+      (tips(middle, slenderness * height, height) ? falls : stands) = middle;
+    }
+    EXPECT_TRUE(page.near(slenderness, (stands + falls) / 2, theory, 2e-3));
+  }
 }
 
 TEST(GroundContact, CylinderStandsOnItsEndAndLiesOnItsSide) {

@@ -147,6 +147,47 @@ TEST(SensorErrors, NoiseHasItsDeviationAndIsWhiteAndTheAxesAreIndependent) {
   EXPECT_TRUE(page.series("$n^4$").near(0, fourth / kCount, 3, one * std::sqrt(96)));
 }
 
+/// Allan's variance of samples over means of `count` of them: half the mean square of two neighbouring means'
+/// difference.
+double allanVariance(const std::vector<double>& samples, std::size_t count) {
+  const auto mean = [&](std::size_t first) {
+    double sum = 0;
+    for (std::size_t i = first; i < first + count; ++i) sum += samples[i];
+    return sum / static_cast<double>(count);
+  };
+  double squares = 0;
+  std::size_t pairs = 0;
+  for (std::size_t first = 0; first + 2 * count <= samples.size(); first += count, ++pairs) {
+    const double difference = mean(first + count) - mean(first);
+    squares += difference * difference;
+  }
+  return squares / (2 * static_cast<double>(pairs));
+}
+
+TEST(SensorErrors, TheAllanDeviationIsThatOfWhiteNoiseAndBiasDoesNotWander) {
+  constexpr std::size_t kCount = 200'000;
+  constexpr double kSigma = 0.2;
+  Bench bench({{"noise", kSigma}, {"bias", 0.3}});
+  std::vector<double> samples;
+  for (std::size_t k = 0; k < kCount; ++k) samples.push_back(bench.step().y);
+  book::Page page({book::Chapter::kSensors,
+                   "Means of a gyroscope's readings scatter as white noise does, and its bias does not wander",
+                   R"(\sigma_A^2(n) = \frac{1}{2} \mathrm{E} (\bar x_{k+1} - \bar x_k)^2 = \frac{\sigma^2}{n})",
+                   "[Allan 1966]; a bias that wanders would bend the line upward; allowed: four deviations",
+                   {{"\\sigma_A", "Allan deviation of 200 000 readings at 1 kHz, with a bias", "rad/s"},
+                    {"\\bar x_k", "mean of readings k n to (k + 1) n", "rad/s"},
+                    {"\\sigma", "deviation of the noise, here 0.2", "rad/s"}},
+                   {"readings in a mean $n$", "", true},
+                   {"Allan deviation $\\sigma_A$", "rad/s", true}});
+  page.curve(1, 2048, [](double n) { return kSigma / std::sqrt(n); });
+  for (std::size_t n = 1; n <= 2048; n *= 2) {
+    const double theory = kSigma / std::sqrt(static_cast<double>(n));
+    // Neighbouring differences share a mean: the variance of m of them scatters by sqrt(3 / m).
+    const double scatter = 0.5 * std::sqrt(3 * static_cast<double>(n) / kCount);
+    EXPECT_TRUE(page.near(static_cast<double>(n), std::sqrt(allanVariance(samples, n)), theory, 4 * scatter * theory));
+  }
+}
+
 TEST(SensorErrors, PairsOfNormalNumbersBeginWithThatOfTheStream) {
   const RandomStream stream(0, "", 0);
   const std::uint64_t key = stream.key();
