@@ -124,7 +124,7 @@ std::string TrialReferee::scoreText() const {
   const bool pause = state_.phase == GamePhase::kReady && judged > 0;
   std::string text = fmt::format("attempt {} of {}", pause ? judged : judged + 1, match_.attempts);
   if (pause) text += ": " + nameOf(attempts_.back().outcome);
-  const int faults = pause ? attempts_.back().faults : trial_.faults;
+  const int faults = pause ? attempts_.back().faults : faults_;
   if (faults > 0) text += fmt::format(", {} {}", faults, faults == 1 ? "fault" : "faults");
   if (judged > 0) text += fmt::format("; {} passed", passed());
   return text;

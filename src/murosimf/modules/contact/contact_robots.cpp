@@ -7,6 +7,7 @@ namespace murosimf {
 
 void ContactRobots::add(ContactRobot robot) {
   paths_.push_back(robot.path());
+  reaches_.push_back(robot.reach());
   robots_.push_back(std::move(robot));
   places_.emplace_back();
   is_awake_.push_back(0);

@@ -23,6 +23,8 @@ class ContactRobots {
   /// Reads where all bases will be at the frame's end, and begins it for those that touched in the last one.
   void beginFrame(long frame, double dt);
   const Vector3& place(std::size_t number) const { return places_[number]; }
+  /// How far its shapes can get from there [m].
+  double reach(std::size_t number) const { return reaches_[number]; }
   /// Lets a robot take part: it has begun the frame then.
   ContactRobot& wake(std::size_t number);
   /// Numbers of those that take part, in no order that anything may depend on.
@@ -32,7 +34,9 @@ class ContactRobots {
 
  private:
   std::vector<ContactRobot> robots_;
-  std::vector<BodyPath> paths_;  // those of the robots, side by side: each frame reads all of them
+  // Of the robots, side by side: each frame reads all of them.
+  std::vector<BodyPath> paths_;
+  std::vector<double> reaches_;
   std::vector<Vector3> places_;
   std::vector<int> awake_, last_;
   std::vector<char> is_awake_;

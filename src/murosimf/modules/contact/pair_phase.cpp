@@ -224,7 +224,7 @@ void PairPhase::addFixed(std::size_t body, double reach) {
 void PairPhase::addRobot(std::size_t body, int number, double reach) {
   const Vector3 centre = frame_.bodies[body].X_WB.translation;
   const auto r = static_cast<std::size_t>(number);
-  const double far = reach + robots_[r].reach();
+  const double far = reach + robots_.reach(r);
   if (squaredNorm(robots_.place(r) - centre) > far * far || !robots_[r].present()) return;
   ContactRobot& robot = robots_.wake(r);
   for (const Obstacle& shape : robot.shapes()) {

@@ -109,7 +109,7 @@ void RobotPairs::listDiscs() {
   discs_.clear();
   for (std::size_t i = 0; i < robots_->size(); ++i) {
     const Vector3& p = robots_->place(i);
-    discs_.push_back({p.x, p.y, (*robots_)[i].reach() + kMargin});
+    discs_.push_back({p.x, p.y, robots_->reach(i) + kMargin});
   }
   for (const FixedObstacle& obstacle : *fixed_) {
     const Vector3 centre = obstacle.X_WB * obstacle.shape.X_BS.translation;
