@@ -90,7 +90,8 @@ TEST(OnDemand, WhatIsComputedOnDemandIsNoMemoryAndIsComputedAnewBehindAVisitThat
   EXPECT_EQ(seen, 1);
   EXPECT_EQ(robots.square(robots.a), 4);
   for (const ColumnLayout& layout : robots.linked->columnsOf(place)) {
-    if (layout.property == kSquare.name) EXPECT_EQ(robots.linked->numberAt(place, layout, 0, 0), 4);
+    if (layout.property != kSquare.name) continue;
+    EXPECT_EQ(robots.linked->numberAt(place, layout, 0, 0), 4);
   }
 }
 

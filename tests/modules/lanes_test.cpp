@@ -32,7 +32,11 @@ std::vector<double> walkAll(int robots, int lanes, int observed) {
   for (int i = 0; i < observed; ++i) {
     for (const Place& place : motion.linked().places()) {
       if (place.assembly != all[static_cast<std::size_t>(i)]) continue;
-      motion.linked().visitMemory(place, [&](double value) { numbers.push_back(value); });
+      for (const ColumnLayout& column : motion.linked().columnsOf(place)) {
+        if (column.ref.memory != MemoryKind::kState) continue;
+        for (int k = 0; k < column.objects * column.components; ++k)
+          numbers.push_back(motion.linked().numberAt(place, column, k / column.components, k % column.components));
+      }
     }
   }
   return numbers;
