@@ -7,8 +7,8 @@
 /// Adds       the posture at both ends of a step, and on demand body_pose and body_pose_last of the bodies: of a
 ///            thousand robots few are looked at in a frame. Between the two ends of a step a body is taken to move on
 ///            the straight path from one to the other. After a placement both ends are the new pose.
-/// Cost       a copy of joint positions and base pose; when asked two rotations about an axis and two transformed
-///            points a body.
+/// Cost       a copy of joint positions and base pose; when asked a rotation about an axis and a transformed point a
+///            body, and as much again where the step before was not asked for.
 
 #include "murosimf/linking/module.h"
 #include "murosimf/modules/kinematics/body_poses_kernel.h"

@@ -4,6 +4,7 @@
 
 #include "murosimf/algorithms/tree_rows.h"
 #include "murosimf/linking/kernel.h"
+#include "murosimf/math/bit_change.h"
 
 namespace murosimf {
 
@@ -25,6 +26,7 @@ struct BodyPosesArguments {
   int bodies = 0;
   PostureColumns kept;
   ColumnRef pose, pose_last;
+  ColumnRef posed_q, posed_base;  ///< the posture that `pose` is of
 };
 
 void addBaselineKernels(KernelSet<PostureArguments>& kernels);
@@ -61,12 +63,33 @@ void posesIn(const BodyPosesArguments& a, const Transform<S>& X_WB, const S* q, 
   for (int i = 1; i < a.bodies; ++i) pose[i] = childPose(pose[a.rows[i].parent], a.rows[i], q[i - 1]);
 }
 
+/// Whether the poses that were last asked for are, in all lanes, those of the posture at the beginning of the step.
+template <class S>
+bool arePosesOfLast(const BodyPosesArguments& a, const BlockMemory& block) {
+  const S *q_last = columnAt<S, S>(block, a.kept.q_last), *posed_q = columnAt<S, S>(block, a.posed_q);
+  const S* base_last = columnAt<S, S>(block, a.kept.base_last);
+  const S* posed_base = columnAt<S, S>(block, a.posed_base);
+  BitChange<S> change;
+  for (int i = 0; i < 12; ++i) change.see(base_last[i], posed_base[i]);
+  for (int j = 0; j + 1 < a.bodies; ++j) change.see(q_last[j], posed_q[j]);
+  return !any(change.found());
+}
+
 template <class S>
 void bodyPoses(const BodyPosesArguments& a, const BlockMemory& block, const StepTime&) {
-  posesIn(a, *columnAt<Transform<S>, S>(block, a.kept.base), columnAt<S, S>(block, a.kept.q),
-          columnAt<Transform<S>, S>(block, a.pose));
-  posesIn(a, *columnAt<Transform<S>, S>(block, a.kept.base_last), columnAt<S, S>(block, a.kept.q_last),
-          columnAt<Transform<S>, S>(block, a.pose_last));
+  auto* pose = columnAt<Transform<S>, S>(block, a.pose);
+  auto* last = columnAt<Transform<S>, S>(block, a.pose_last);
+  if (arePosesOfLast<S>(a, block)) {
+    for (int i = 0; i < a.bodies; ++i) last[i] = pose[i];
+  } else {
+    posesIn(a, *columnAt<Transform<S>, S>(block, a.kept.base_last), columnAt<S, S>(block, a.kept.q_last), last);
+  }
+  const S* q = columnAt<S, S>(block, a.kept.q);
+  const auto* base = columnAt<Transform<S>, S>(block, a.kept.base);
+  posesIn(a, *base, q, pose);
+  *columnAt<Transform<S>, S>(block, a.posed_base) = *base;
+  S* posed_q = columnAt<S, S>(block, a.posed_q);
+  for (int j = 0; j + 1 < a.bodies; ++j) posed_q[j] = q[j];
 }
 
 }  // namespace MUROSIMF_ISA
