@@ -27,18 +27,26 @@ class Rail final : public RobotModule {
   void declare(Declaration& d) const override {
     d.adds(kBodyPose, subset::kBodies);
     d.adds(kBodyPoseLast, subset::kBodies);
+    d.adds(kShownBase);
+    d.adds(kShownBaseLast);
   }
   void bind(Links& links) override {
     pose_ = links.values(kBodyPose, subset::kBodies);
     last_ = links.values(kBodyPoseLast, subset::kBodies);
+    base_ = links.values(kShownBase);
+    base_last_ = links.values(kShownBaseLast);
   }
   void stepRobot(const RobotLane& robot, const StepTime& time) const override {
-    robot.set(last_, robot.get(pose_));
-    robot.set(pose_, Pose{Rotation3{}, {kRailSpeed * static_cast<double>(time.frame + 1), 0, 0.3}});
+    robot.set(base_last_, robot.get(base_));
+    robot.set(base_, Pose{Rotation3{}, {kRailSpeed * static_cast<double>(time.frame + 1), 0, 0.3}});
+  }
+  void answerRobot(const RobotLane& robot) const override {
+    robot.set(last_, robot.get(base_last_));
+    robot.set(pose_, robot.get(base_));
   }
 
  private:
-  RobotValues<Pose> pose_, last_;
+  RobotValues<Pose> pose_, last_, base_, base_last_;
 };
 
 /// A program whose step is written in the test. Its archived state is one number.

@@ -13,14 +13,14 @@ namespace murosimf {
 class BodyPath {
  public:
   BodyPath() = default;
-  /// The robot must have body_pose; its bodies then stand still while nothing has computed them.
+  /// The robot must have body_pose and shown_base; its bodies stand still while nothing has moved them.
   BodyPath(LinkedWorld& linked, ObjectId robot)
       : pose_(linked.handle(robot, kBodyPose, subset::kBodies)),
         last_(linked.handle(robot, kBodyPoseLast, subset::kBodies)),
         base_(linked.handle(robot, kShownBase)),
         base_last_(linked.handle(robot, kShownBaseLast)) {}
 
-  bool valid() const { return pose_.valid(); }
+  bool valid() const { return base_.valid(); }
   /// Share of the step that has passed at the beginning of a frame, in [0, 1).
   double shareAt(long frame) const { return static_cast<double>(frame % period()) / static_cast<double>(period()); }
   /// Same at its end, in (0, 1].
@@ -36,15 +36,14 @@ class BodyPath {
   Vector3 position(int row, double share) const {
     return interpolate(last(row).translation, end(row).translation, share);
   }
-  Pose last(int row) const { return row == 0 && base_last_.valid() ? base_last_.get() : last_.get(row); }
-  Pose end(int row) const { return row == 0 && base_.valid() ? base_.get() : pose_.get(row); }
+  Pose last(int row) const { return row == 0 ? base_last_.get() : last_.get(row); }
+  Pose end(int row) const { return row == 0 ? base_.get() : pose_.get(row); }
   /// Asks the memory for the base's poses.
   void fetch() const { base_.values().fetch(1), base_last_.values().fetch(1); }
 
  private:
-  const Handle<Pose>& known() const { return base_.valid() ? base_ : pose_; }
-  int period() const { return known().period(); }
-  bool isAhead(long frame) const { return known().phase() == Phase::kAdvance && frame % period() == 0; }
+  int period() const { return base_.period(); }
+  bool isAhead(long frame) const { return base_.phase() == Phase::kAdvance && frame % period() == 0; }
 
   Handle<Pose> pose_, last_;       // computed when asked for
   Handle<Pose> base_, base_last_;  // known always

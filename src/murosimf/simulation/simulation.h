@@ -29,7 +29,7 @@ class FrameObserver {
 
 /// What takes part: assemblies of the world by the way they are moved.
 struct Participants {
-  std::vector<ObjectId> robots;       ///< stepped by modules
+  std::vector<ObjectId> robots;       ///< stepped by modules, in the order of their ports; then obstacles that move
   std::vector<ObjectId> free_bodies;  ///< moved by the pair phase
   std::vector<ObjectId> fixed;        ///< never move
 };

@@ -51,7 +51,7 @@ class StateGuard {
     const Resident* resident;
     bool wrong = false;  ///< found so by look()
     bool frozen = false;
-    double since = -1;  ///< a hand has set it going again, or never [s]
+    double since = -1;  ///< when a hand set it going again [s]; -1: never
     Handle<Pose> base, base_last, shown_base, shown_base_last;
     Handle<double> q, shown_q, shown_q_last, placements, placements_shown;
     Pose X_WB{};                   ///< where it is held

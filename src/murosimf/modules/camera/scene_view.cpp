@@ -25,6 +25,8 @@ const OutsideAccess& SceneView::robotAccess() {
     d.needs(kShapes);
     d.reads(kBodyPose, subset::kBodies);
     d.reads(kBodyPoseLast, subset::kBodies);
+    d.reads(kShownBase);
+    d.reads(kShownBaseLast);
   });
   return access;
 }

@@ -30,6 +30,8 @@ const OutsideAccess& PairPhase::robotAccess() {
     d.needs(kShapes);
     d.reads(kBodyPose, subset::kBodies);
     d.reads(kBodyPoseLast, subset::kBodies);
+    d.reads(kShownBase);
+    d.reads(kShownBaseLast);
     d.readsIfAdded(kContactDetail);
     d.sets(kPairForce, subset::kBodies);
     d.sets(kPairTouch);
