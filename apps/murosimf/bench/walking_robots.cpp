@@ -100,10 +100,11 @@ double WalkingRobots::run(double seconds) {
 void WalkingRobots::replay() {
   const double begin = now();
   const long step = std::lround(simulation_->time() / kReplayPeriod);
-  constexpr std::size_t kTogether = 256;
+  constexpr std::size_t kTogether = 256, kAhead = 16;
   oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, robots_.size(), kTogether),
                             [&](const auto& range) {
                               for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                                if (i + kAhead < robots_.size()) robots_[i + kAhead].fetch();
                                 const controllers::JointAngles& q = walk_.at(step - robots_[i].delay);
                                 const LaneValues<ServoCommand> commands = robots_[i].command.values();
                                 for (std::size_t j = 0; j < q.size(); ++j)

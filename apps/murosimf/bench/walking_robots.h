@@ -74,6 +74,8 @@ class WalkingRobots {
     Handle<Pose> base;
     long delay = 0;  // steps behind the recording
     Pose start;      // when the runs begin
+    /// Asks the memory for what a replay writes.
+    void fetch() const { command.values().fetch(&ServoCommand::position, command.size()); }
   };
   void build(int robots);
   void advance(double seconds);

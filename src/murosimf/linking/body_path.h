@@ -34,12 +34,17 @@ class BodyPath {
   Pose pose(int row, double share) const { return share == 1.0 ? end(row) : interpolate(last(row), end(row), share); }
   /// p_WB alone, cheaper.
   Vector3 position(int row, double share) const {
-    return interpolate(last(row).translation, end(row).translation, share);
+    return share == 1.0 ? end(row).translation : interpolate(last(row).translation, end(row).translation, share);
   }
   Pose last(int row) const { return row == 0 ? base_last_.get() : last_.get(row); }
   Pose end(int row) const { return row == 0 ? base_.get() : pose_.get(row); }
   /// Asks the memory for the base's poses.
   void fetch() const { base_.values().fetch(1), base_last_.values().fetch(1); }
+  /// Asks it for the base's places alone.
+  void fetchPlaces() const {
+    base_.values().fetch(&Pose::translation);
+    if (base_.period() > 1 || base_.phase() == Phase::kAdvance) base_last_.values().fetch(&Pose::translation);
+  }
 
  private:
   int period() const { return base_.period(); }

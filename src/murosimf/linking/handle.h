@@ -24,6 +24,12 @@ class LaneValues {
     constexpr int kLine = 64 / sizeof(double);
     for (int i = 0; i < objects * kNumbers * stride_; i += kLine) __builtin_prefetch(first_ + i);
   }
+  /// Asks for one member alone: three lines of a pose's twelve where only places are read.
+  template <class Member, std::same_as<T> Whole>
+  void fetch(Member Whole::*member, int objects = 1) const {
+    const std::ptrdiff_t before = numbersBefore(member);
+    for (int i = 0; i < objects; ++i) LaneValues<Member>(first_ + (i * kNumbers + before) * stride_, stride_).fetch(1);
+  }
   /// Value of the subset's object number `object`.
   T get(int object = 0) const {
     const double* source = first_ + object * kNumbers * stride_;
@@ -42,14 +48,17 @@ class LaneValues {
   /// Changes one member and leaves the others: a fifth of the writing where only positions of servo commands change.
   template <class Member, std::same_as<T> Whole>
   void set(Member Whole::*member, const Member& value, int object = 0) const {
-    const T whole{};
-    const auto bytes = reinterpret_cast<const char*>(&(whole.*member)) - reinterpret_cast<const char*>(&whole);
-    const std::ptrdiff_t before = bytes / static_cast<std::ptrdiff_t>(sizeof(double));
-    LaneValues<Member>(first_ + (object * kNumbers + before) * stride_, stride_).set(value);
+    LaneValues<Member>(first_ + (object * kNumbers + numbersBefore(member)) * stride_, stride_).set(value);
   }
 
  private:
   static constexpr int kNumbers = static_cast<int>(sizeof(T) / sizeof(double));
+  template <class Member, std::same_as<T> Whole>
+  static std::ptrdiff_t numbersBefore(Member Whole::*member) {
+    const T whole{};
+    const auto bytes = reinterpret_cast<const char*>(&(whole.*member)) - reinterpret_cast<const char*>(&whole);
+    return bytes / static_cast<std::ptrdiff_t>(sizeof(double));
+  }
   /// Without a loop: -O2 would count at run time what is known here.
   template <class Visit>
   static void forEachNumber(Visit&& visit) {

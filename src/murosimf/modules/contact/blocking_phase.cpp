@@ -41,7 +41,9 @@ BlockingPhase::BlockingPhase(const World& world, LinkedWorld& linked, std::vecto
 
 void BlockingPhase::advance(long frame) {
   int longest = 0;
+  constexpr std::size_t kAhead = 16;
   for (std::size_t i = 0; i < robots_.size(); ++i) {
+    if (i + kAhead < robots_.size()) robots_[i + kAhead].fetch(frame);
     const Robot& robot = robots_[i];
     const Vector3 now = robot.pose.get().translation;
     discs_[i].fixed = !robot.last.valid();

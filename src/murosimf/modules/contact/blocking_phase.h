@@ -28,6 +28,13 @@ class BlockingPhase {
   struct Robot {
     Handle<Pose> pose, last;
     Handle<Vector3> shift;
+    /// Asks the memory for what a frame reads.
+    void fetch(long frame) const {
+      pose.values().fetch(&Pose::translation);
+      if (!last.valid() || frame % pose.period() != 0) return;
+      last.values().fetch(&Pose::translation);
+      shift.values().fetch(1);
+    }
   };
   std::vector<Robot> robots_;
   std::vector<BlockingDisc> discs_;   // the robots in their order, then the posts

@@ -19,9 +19,9 @@ void ContactRobots::beginFrame(long frame, double dt) {
   std::swap(awake_, last_);
   awake_.clear();
   for (const int number : last_) is_awake_[static_cast<std::size_t>(number)] = 0;
-  constexpr std::size_t kAhead = 8;
+  constexpr std::size_t kAhead = 16;
   for (std::size_t i = 0; i < paths_.size(); ++i) {
-    if (i + kAhead < paths_.size()) paths_[i + kAhead].fetch();
+    if (i + kAhead < paths_.size()) paths_[i + kAhead].fetchPlaces();
     places_[i] = paths_[i].position(0, paths_[i].contactShareAfter(frame));
   }
   for (const int number : last_) {
