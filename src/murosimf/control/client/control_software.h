@@ -19,6 +19,10 @@ class ControlSoftware {
   virtual ~ControlSoftware() = default;
   /// Called once, before the first step.
   virtual void start(const RobotDescription& robot) = 0;
+  /// Called once, after start(): commands that act before the first step's; nothing unless told.
+  virtual void begin(CommandFrame& commands) { static_cast<void>(commands); }
+  /// True of a program whose step waits for somebody outside: it gets a thread of its own.
+  virtual bool waitsForOthers() const { return false; }
   /// Reads one sensor frame and fills the commands for the next period. commands.joints has its size already.
   virtual void step(const SensorFrame& sensors, CommandFrame& commands) = 0;
   /// What the program believes after the last step.

@@ -96,6 +96,28 @@ struct CourseDescription {
   double obstacle_spacing = 0;       ///< between the middles of any two, at least [m]; 0: nothing is known
 };
 
+/// What a device of the player API of the RoboCup Humanoid virtual season is.
+enum class DeviceKind : std::uint8_t {
+  kMotor,
+  kPositionSensor,
+  kAccelerometer,
+  kGyro,
+  kCamera,
+  kForce,    ///< a number: under one corner of a sole, or under the whole
+  kForce3d,  ///< a force sensor
+  kBumper    ///< a touch sensor
+};
+
+/// One device, as that API names and scales it: what is read of it is clamp(offset + scale * value, lowest, highest).
+struct DeviceDescription {
+  DeviceKind kind = DeviceKind::kMotor;
+  std::string name;
+  int part = -1;    ///< index into joints, imus, cameras, soles, force_sensors or touch_sensors of the robot
+  int corner = -1;  ///< of a sole's pressures as in SensorFrame::sole_pressures; -1: their sum
+  double scale = 1, offset = 0;
+  double lowest = -std::numeric_limits<double>::infinity(), highest = std::numeric_limits<double>::infinity();
+};
+
 struct RobotDescription {
   std::string model;  ///< "ks21"
   std::string team;   ///< "red" or "blue"
@@ -104,11 +126,13 @@ struct RobotDescription {
   std::vector<JointDescription> joints;               ///< in the order of sensor and command frames
   std::vector<CameraDescription> cameras;             ///< in the order of CameraPicture::camera
   std::vector<std::string> soles;                     ///< names: right ones, left ones, those of no side
+  std::vector<std::string> imus;                      ///< in the order of SensorFrame::imus
   std::vector<std::string> touch_sensors;             ///< in the order of SensorFrame::touches
   std::vector<std::string> force_sensors;             ///< in the order of SensorFrame::forces
   std::vector<TouchSensorDescription> touch_mounts;   ///< of touch_sensors
   std::vector<RangeSensorDescription> range_sensors;  ///< in the order of RangeScan::sensor
   std::vector<WheelDescription> wheels;               ///< in the order of the robot file
+  std::vector<DeviceDescription> devices;             ///< in the order of the robot file
   FieldDescription field;
   CourseDescription course;
   bool attacks_positive_x = true;  ///< red's and blue's own frames: +x is the goal they attack, after this turn

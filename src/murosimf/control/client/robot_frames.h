@@ -17,6 +17,12 @@ struct JointReading {
   double torque = 0;    ///< [N m]; 0 where the level of detail knows none
 };
 
+/// Of one inertial measurement unit, in its axes.
+struct ImuReading {
+  Vector3 angular_velocity;  ///< gyroscope [rad/s]
+  Vector3 specific_force;    ///< accelerometer [m/s^2]: +9.81 along the upward axis at rest
+};
+
 /// Bytes of a picture: red, green, blue a pixel; blue, green, red; or YUV 4:2:2, two pixels in Y Cb Y Cr (BT.601, full
 /// range).
 enum class PixelFormat : std::uint8_t { kRgb, kBgr, kYuyv };
@@ -73,7 +79,8 @@ struct GameInfo {
   GamePhase phase = GamePhase::kReady;
   bool own_kickoff = false;
   bool penalised = false;
-  double time_left = 0;  ///< [s]
+  bool sent_off = false;  ///< red card: for the rest of the game
+  double time_left = 0;   ///< [s]
   int own_score = 0, opponent_score = 0;
   std::uint32_t restart_count = 0;  ///< grows by one with every kick-off and every ball put back by the referee
   bool placed = false;              ///< true in the first frame after somebody put the robot somewhere by hand
@@ -92,8 +99,8 @@ struct TeamMessage {
 struct SensorFrame {
   double time = 0;                             ///< simulated time of the readings [s]
   std::span<const JointReading> joints;        ///< as RobotDescription::joints
-  Vector3 angular_velocity;                    ///< gyroscope, IMU axes [rad/s]
-  Vector3 specific_force;                      ///< accelerometer, IMU axes [m/s^2]: +9.81 along the upward axis at rest
+  Vector3 angular_velocity, specific_force;    ///< of the first of imus
+  std::span<const ImuReading> imus;            ///< as RobotDescription::imus
   std::span<const std::uint8_t> sole_touches;  ///< 1 where a sole is on the ground; as RobotDescription::soles
   /// Under the soles' corners, in the order (-x -y), (+x -y), (-x +y), (+x +y) [N]; 0 where the level of detail knows
   /// none.
@@ -118,7 +125,12 @@ struct JointCommand {
 struct CommandFrame {
   std::vector<JointCommand> joints;  ///< sized by the port; as RobotDescription::joints
   TeamMessage message;               ///< sent when number != 0
+  /// Time between two pictures of each camera [s] as long as the program goes on: 0 takes none, kCameraAsIs changes
+  /// nothing. A camera whose time changes takes its next picture so much later. May be empty: all stay as they are.
+  std::vector<double> camera_periods;
 };
+
+inline constexpr double kCameraAsIs = -1;
 
 /// One ball, post or line point found in a picture, or told as seen in one, for people and for the harness that
 /// measures the vision.
