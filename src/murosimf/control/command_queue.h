@@ -33,6 +33,9 @@ class CommandQueue {
     entry.commands.joints.assign(commands.joints.begin(),
                                  commands.joints.begin() + static_cast<std::ptrdiff_t>(joints));
     entry.commands.message = commands.message;
+    const std::size_t cameras = std::min(entry.commands.camera_periods.capacity(), commands.camera_periods.size());
+    entry.commands.camera_periods.assign(commands.camera_periods.begin(),
+                                         commands.camera_periods.begin() + static_cast<std::ptrdiff_t>(cameras));
     entry.due = due;
   }
   void pop() {
@@ -45,7 +48,7 @@ class CommandQueue {
     if (archive.loading()) first_ = 0, count_ = std::min(count, entries_.size());
     for (std::size_t i = 0; i < count_; ++i) {
       Entry& entry = entries_[(first_ + i) % entries_.size()];
-      archive(entry.commands.joints, entry.commands.message, entry.due);
+      archive(entry.commands.joints, entry.commands.message, entry.commands.camera_periods, entry.due);
     }
   }
 

@@ -24,8 +24,10 @@ ControlLoop::ControlLoop(std::vector<ControlledRobot> robots, const SceneView& v
   const int count = static_cast<int>(robots.size()), capacity = static_cast<int>(timing.delay / timing.period) + 2;
   int cameras = 0;
   bool moving = false;  // some camera's picture needs motions
+  bool waiting = false;
   for (ControlledRobot& robot : robots) {
     checkCameras(robot);
+    waiting = waiting || (robot.program != nullptr && robot.program->waitsForOthers());
     for (std::size_t i = 0; i < robot.eyeCount(); ++i) {
       const MountedCamera* camera = robot.eye(i);
       if (camera == nullptr) continue;
@@ -39,7 +41,7 @@ ControlLoop::ControlLoop(std::vector<ControlledRobot> robots, const SceneView& v
   // whole world: a thousand robots without software could not be held if theirs had as well.
   snapshots_ = std::make_unique<SnapshotShelf>(view, 2 * cameras, moving);
   const auto task = [this](int robot) { runTask(*robots_[static_cast<std::size_t>(robot)]); };
-  pool_ = timing.paced ? makeThreadPerRobot(count, task) : makeSharedPool(timing.threads, task);
+  pool_ = timing.paced || waiting ? makeThreadPerRobot(count, task) : makeSharedPool(timing.threads, task);
 }
 
 ControlLoop::~ControlLoop() { pool_->wait(); }
@@ -84,9 +86,21 @@ void ControlLoop::applyCommands(long frame) {
     if (due && runner->busy && !timing_.paced) pool_->wait();
     collect(*runner, frame);
     while (!runner->pending.empty() && runner->pending.front().due <= frame) {
-      runner->refused_joints += runner->controlled.port.applyCommands(runner->pending.front().commands);
+      const client::CommandFrame& commands = runner->pending.front().commands;
+      runner->refused_joints += runner->controlled.port.applyCommands(commands);
+      setCameras(*runner, commands, frame);
       runner->pending.pop();
     }
+  }
+}
+
+void ControlLoop::setCameras(Runner& runner, const client::CommandFrame& commands, long frame) {
+  for (std::size_t i = 0; i < std::min(commands.camera_periods.size(), runner.controlled.cameraCount()); ++i) {
+    const double period = commands.camera_periods[i];
+    MountedCamera* camera = runner.controlled.camera(i);
+    if (camera == nullptr || !(period >= 0)) continue;
+    const double least = static_cast<double>(timing_.period) * frame_length_;
+    camera->lookEvery(period > 0 ? std::max(period, least) : 0, frame);
   }
 }
 
@@ -236,8 +250,12 @@ void ControlLoop::archive(StateArchive& archive) {
     archive(r.failed, fault);
     r.fault = r.failed ? std::optional(fault) : std::nullopt;
     if (r.runs()) r.controlled.program->archive(archive);
-    for (std::size_t i = 0; i < r.controlled.eyeCount(); ++i)
-      if (MountedCamera* camera = r.controlled.eye(i)) archive(*camera);
+    for (std::size_t i = 0; i < r.controlled.eyeCount(); ++i) {
+      MountedCamera* camera = r.controlled.eye(i);
+      if (camera == nullptr) continue;
+      camera->archiveSchedule(archive);
+      archive(*camera);
+    }
     if (r.controlled.localisation != nullptr) archive(*r.controlled.localisation);
   }
   snapshots_->archive(archive);

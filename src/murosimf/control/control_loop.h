@@ -10,6 +10,8 @@
 ///   simulated clock   never earlier, never later: the frame waits for tasks that are not ready;
 ///   paced clock       late ones act late and are counted; a robot that is still busy misses its next sensor frame, and
 ///                     the newest of its pictures wait with it. The frame thread never waits.
+/// A program may choose how often its cameras take pictures (CommandFrame::camera_periods); what it chooses acts as its
+/// commands do. A program that waits for somebody outside (waitsForOthers) has a thread of its own on both clocks.
 /// Messages to team mates are delivered with the next sensor frame. No lock is held while a program runs.
 /// A program that throws is not stepped again: its robot keeps the last command, the others go on; see faults().
 
@@ -61,7 +63,8 @@ class ControlObserver {
 struct ControlTiming {
   long period = 10, delay = 10;  ///< [frames]
   bool paced = false;
-  int threads = 0;  ///< simulated clock; 0: as many as the machine has. Paced, each robot has one of its own
+  int threads = 0;  ///< simulated clock; 0: as many as the machine has. Paced, and where a program waits for others,
+                    ///< each robot has one of its own
 };
 
 /// Counters for the report.
@@ -116,6 +119,7 @@ class ControlLoop {
  private:
   struct Runner;
   void checkCameras(const ControlledRobot& robot) const;
+  void setCameras(Runner& runner, const client::CommandFrame& commands, long frame);
   void takePictures(long frame);
   void deliverPicture(Runner& runner, std::size_t camera);
   void deliverSights(Runner& runner, std::size_t camera);

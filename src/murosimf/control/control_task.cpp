@@ -18,6 +18,8 @@ std::optional<std::string> faultOf(const Call& call) {
   try {
     call();
     return std::nullopt;
+  } catch (const client::CannotStart&) {
+    throw;
   } catch (const std::exception& fault) {
     return fault.what();
   } catch (...) {
@@ -32,8 +34,12 @@ void ControlLoop::start() {
     ControlledRobot& robot = runner->controlled;
     if (robot.program == nullptr) continue;
     runner->asked = -1;
-    runner->fault = faultOf([&] { robot.program->start(robot.port.description()); });
+    runner->fault = faultOf([&] {
+      robot.program->start(robot.port.description());
+      robot.program->startCameras(runner->commands.camera_periods);
+    });
     runner->failed = runner->fault.has_value();
+    setCameras(*runner, runner->commands, 0);
   }
 }
 
@@ -111,6 +117,7 @@ void ControlLoop::stepProgram(Runner& runner) {
   runner.sensors.sights = runner.sights;
   runner.sensors.scans = runner.scans;
   runner.commands.joints.resize(runner.controlled.port.description().joints.size());
+  runner.commands.camera_periods.assign(runner.controlled.port.description().cameras.size(), client::kCameraAsIs);
   runner.fault = faultOf([&] { runner.controlled.program->step(runner.sensors, runner.commands); });
   runner.counts.program_seconds += secondsSince(start);
   ++runner.counts.steps;

@@ -111,6 +111,7 @@ bool RobotPort::touches(int sole) const {
 client::CommandFrame RobotPort::emptyCommands() const {
   client::CommandFrame commands;
   commands.joints.resize(joints_.size());
+  commands.camera_periods.resize(description_.cameras.size(), client::kCameraAsIs);
   return commands;
 }
 

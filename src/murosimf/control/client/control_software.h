@@ -3,6 +3,8 @@
 /// @file What a program that controls a robot looks like when it is linked in.
 
 #include <memory>
+#include <span>
+#include <stdexcept>
 #include <string>
 
 #include "murosimf/control/client/robot_description.h"
@@ -10,6 +12,12 @@
 #include "murosimf/control/client/state_archive.h"
 
 namespace murosimf::client {
+
+/// Thrown by start() where nobody could play with such a robot: a simulation ends before it begins. All else that a
+/// program throws is its own fault, and the others go on.
+struct CannotStart : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 /// One robot's control software. Called from one thread at a time, never from two at once; different robots' programs
 /// run in parallel and share nothing. Must depend on its inputs alone (no clock, no global state), so that a run can
@@ -19,8 +27,9 @@ class ControlSoftware {
   virtual ~ControlSoftware() = default;
   /// Called once, before the first step.
   virtual void start(const RobotDescription& robot) = 0;
-  /// Called once, after start(): commands that act before the first step's; nothing unless told.
-  virtual void begin(CommandFrame& commands) { static_cast<void>(commands); }
+  /// Called once, after start(): as CommandFrame::camera_periods, for the time before the first step's commands. All
+  /// are kCameraAsIs; nothing is changed unless told.
+  virtual void startCameras(std::span<double> periods) { static_cast<void>(periods); }
   /// True of a program whose step waits for somebody outside: it gets a thread of its own.
   virtual bool waitsForOthers() const { return false; }
   /// Reads one sensor frame and fills the commands for the next period. commands.joints has its size already.

@@ -138,6 +138,7 @@ struct RobotDescription {
   bool attacks_positive_x = true;  ///< red's and blue's own frames: +x is the goal they attack, after this turn
   std::string goal_colour_attacked, goal_colour_defended;  ///< "yellow" or "blue"
   double control_period = 0.01;                            ///< time between sensor frames [s]
+  bool paced = false;                                      ///< whether the game follows a wall clock
   std::uint64_t seed = 0;
 };
 

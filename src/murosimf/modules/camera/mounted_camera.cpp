@@ -17,7 +17,9 @@ MountedCamera::MountedCamera(const World& world, const SceneView& view, ObjectId
       path_(world.path(camera)),
       period_(period / frame_length),
       phase_(phase / frame_length),
-      frame_length_(frame_length) {
+      frame_length_(frame_length),
+      first_period_(period_),
+      first_phase_(phase_) {
   const MountPlace* place = world.findShared(camera, mount);
   if (place == nullptr) throw std::invalid_argument(fmt::format("{} has no {}", path_, mount.name));
   if (!(period_ >= 1)) throw std::invalid_argument(fmt::format("{} has no period of at least one frame", path_));
@@ -28,7 +30,20 @@ MountedCamera::MountedCamera(const World& world, const SceneView& view, ObjectId
   }
 }
 
+void MountedCamera::lookEvery(double period, long frame) {
+  // A period that was told in seconds is that of the scenario's where they are the same time.
+  const double asked = period > 0 ? std::max(1.0, period / frame_length_) : 0;
+  const auto same = [&](double other) { return std::abs(asked - other) < 1e-9 * std::max(asked, other); };
+  if (asked == period_ || same(period_)) return;
+  if (same(first_period_)) {
+    period_ = first_period_, phase_ = first_phase_;
+  } else {
+    period_ = asked, phase_ = static_cast<double>(frame) + asked;
+  }
+}
+
 bool MountedCamera::isDue(long frame) const {
+  if (period_ <= 0) return false;
   const long near = std::lround((static_cast<double>(frame + 1) - phase_) / period_);
   for (long k = std::max(0L, near - 1); k <= near + 1; ++k) {
     if (std::lround(phase_ + static_cast<double>(k) * period_) == frame + 1) return true;

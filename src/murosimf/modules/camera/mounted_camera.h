@@ -26,8 +26,11 @@ class MountedCamera {
 
   ObjectId object() const { return object_; }
   const std::string& path() const { return path_; }
-  /// Time between pictures [frames], not always a whole number.
+  /// Time between pictures [frames], not always a whole number; 0: it takes none.
   double period() const { return period_; }
+  /// From the beginning of this frame on a picture every `period` seconds, the first one so much later; 0: none. The
+  /// period that it has changes nothing, and the one that it was made with brings its phase back. At least one frame.
+  void lookEvery(double period, long frame);
   /// True when a picture is due at the end of this frame; `frame` = -1 is the moment before the first one. Picture k is
   /// taken at phase + k period, rounded to frames: at 30 Hz and 1 ms after 33, 67, 100 frames, so nothing drifts.
   bool isDue(long frame) const;
@@ -53,6 +56,7 @@ class MountedCamera {
   /// Lets arrive what has spent its time on the way by the end of this frame. @return false where nothing does
   virtual bool deliver(long frame) = 0;
   virtual void archive(StateArchive& archive) = 0;
+  void archiveSchedule(StateArchive& archive) { archive(period_, phase_); }
 
  protected:
   double frameLength() const { return frame_length_; }
@@ -64,7 +68,8 @@ class MountedCamera {
  private:
   ObjectId robot_, object_;
   std::string path_;
-  double period_, phase_, frame_length_;  // period and phase in frames
+  double period_, phase_, frame_length_;     // period and phase in frames
+  const double first_period_, first_phase_;  // that it was made with
   int row_ = 0;
   Pose X_BC_;
   std::vector<std::uint32_t> hidden_;
