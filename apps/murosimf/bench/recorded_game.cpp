@@ -9,6 +9,7 @@
 #include "game/game.h"
 #include "game/match_setup.h"
 #include "murosimf/scene/scenario_reader.h"
+#include "player/player.h"
 
 namespace murosimf {
 
@@ -18,7 +19,7 @@ namespace {
 class RecordingPlayer final : public client::ControlSoftware {
  public:
   explicit RecordingPlayer(std::vector<std::vector<client::JointCommand>>& kept)
-      : player_(allPrograms().at("player")()), kept_(kept) {}
+      : player_(controllers::makePlayer()), kept_(kept) {}
   void start(const client::RobotDescription& robot) override { player_->start(robot); }
   void step(const client::SensorFrame& sensors, client::CommandFrame& commands) override {
     player_->step(sensors, commands);

@@ -49,16 +49,14 @@ void WorldBuilder::checkGround(const CameraChoice& choice) {
 
 void WorldBuilder::chooseProgram(Outfit& outfit, const ControlPrograms& programs) {
   const Located<std::string>& name = outfit.robot->control.module;
-  for (const NamedValue& parameter : outfit.robot->control.parameters) {
-    diagnostics_.error(parameter.name_where, fmt::format("{}: control software \"{}\" has no parameter \"{}\"",
-                                                         outfit.robot->path(), *name, parameter.name));
-  }
-  if (name->empty() || *name == "none") return;
   const auto found = programs.find(*name);
   if (found != programs.end()) {
-    outfit.program = found->second;
+    outfit.program = found->second.make;
+    outfit.program_values = programValues(*outfit.robot, found->second.parameters, diagnostics_);
     return;
   }
+  programValues(*outfit.robot, {}, diagnostics_);
+  if (name->empty() || *name == "none") return;
   std::vector<std::string> known{"none"};
   for (const auto& [program, make] : programs) known.push_back(program);
   diagnostics_.error(
@@ -138,6 +136,17 @@ std::unique_ptr<PoseOracle> WorldBuilder::makeLocalisation(const Outfit& outfit,
                                       outfit.robot->path(), control_period, *scene_.simulation.frame);
 }
 
+/// Null without control software, and where it could not be made.
+std::unique_ptr<client::ControlSoftware> WorldBuilder::makeProgram(const Outfit& outfit) const {
+  if (outfit.program == nullptr) return nullptr;
+  try {
+    return outfit.program(outfit.program_values, describe(*outfit.robot));
+  } catch (const std::exception& problem) {
+    diagnostics_.error(outfit.robot->control.module.where, fmt::format("{}: {}", outfit.robot->path(), problem.what()));
+    return nullptr;
+  }
+}
+
 void WorldBuilder::attachControl(Simulation& simulation) const {
   const double frame = *scene_.simulation.frame;
   ControlTiming timing;
@@ -152,7 +161,7 @@ void WorldBuilder::attachControl(Simulation& simulation) const {
     addCameras(outfit, simulation.view(), robot);
     addRangeSensors(outfit, simulation.view(), robot);
     robot.localisation = makeLocalisation(outfit, timing.period);
-    if (outfit.program != nullptr) robot.program = outfit.program();
+    robot.program = makeProgram(outfit);
   }
   simulation.setControl(std::make_unique<ControlLoop>(std::move(controlled), simulation.view(), timing, frame));
 }

@@ -309,6 +309,7 @@ client::RobotDescription WorldBuilder::describe(const RobotSettings& robot) cons
   d.course = courseDescription(scene_, attacks_plus);
   describeGoals(scene_, attacks_plus, d);
   d.control_period = *scene_.simulation.control_period;
+  d.paced = *scene_.simulation.pace > 0;
   d.seed = *scene_.simulation.seed;
   return d;
 }

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "murosimf/scene/camera_choice.h"
+#include "murosimf/scene/control_programs.h"
 #include "murosimf/scene/lens_builder.h"
 #include "murosimf/scene/module_choice.h"
 #include "murosimf/scene/oracle_choice.h"
@@ -26,9 +27,6 @@
 #include "murosimf/simulation/simulation.h"
 
 namespace murosimf {
-
-/// Control software by the name that a scenario gives it.
-using ControlPrograms = std::map<std::string, std::function<std::unique_ptr<client::ControlSoftware>()>>;
 
 class WorldBuilder {
  public:
@@ -57,7 +55,8 @@ class WorldBuilder {
     std::vector<CameraChoice> cameras;                  // as in the model
     std::vector<std::shared_ptr<const RayTable>> rays;  // same; null: no picture
     std::optional<PoseOracleSettings> localisation;
-    std::function<std::unique_ptr<client::ControlSoftware>()> program;
+    ControlProgram::Make program;
+    ProgramValues program_values;
   };
   /// An obstacle that can be pushed.
   struct Movable {
@@ -84,6 +83,7 @@ class WorldBuilder {
   void addRangeSensors(const Outfit& outfit, const SceneView& view, ControlledRobot& robot) const;
   std::unique_ptr<RobotCamera> makeCamera(const Outfit& outfit, const SceneView& view, std::size_t number) const;
   std::unique_ptr<PoseOracle> makeLocalisation(const Outfit& outfit, long control_period) const;
+  std::unique_ptr<client::ControlSoftware> makeProgram(const Outfit& outfit) const;
   void attachControl(Simulation& simulation) const;
   void placeAll(Simulation& simulation) const;
   void addFocus(Simulation& simulation) const;
