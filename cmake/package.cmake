@@ -10,7 +10,7 @@ get_property(layers GLOBAL PROPERTY murosimf_layers)
 install(TARGETS ${layers} EXPORT murosimf_targets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 install(EXPORT murosimf_targets NAMESPACE murosimf:: DESTINATION "${package_directory}")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/src/murosimf" DESTINATION include FILES_MATCHING PATTERN "*.h")
-set(programs murosimf_app)
+set(programs murosimf_app murosimf-control)
 if(TARGET murosimf_viewer)
   list(APPEND programs murosimf-view)
   install(TARGETS murosimf_viewer murosimf_playing murosimf_controllers EXPORT murosimf_targets

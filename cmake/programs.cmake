@@ -13,6 +13,12 @@ endif()
 target_include_directories(murosimf_controllers ${visible} "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/controllers>")
 target_link_libraries(murosimf_controllers ${visible} murosimf_client murosimf_math)
 
+# The same in a process of its own, behind the player API: nothing of the simulator is linked.
+add_executable(murosimf-control "${PROJECT_SOURCE_DIR}/apps/murosimf-control/main.cpp")
+murosimf_flags(murosimf-control)
+target_link_libraries(murosimf-control PRIVATE murosimf_controllers murosimf_player_api CLI11::CLI11)
+set_target_properties(murosimf-control PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}")
+
 # How a scenario becomes a game with its referee: what all programs share.
 file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/apps/game/*.cpp")
 if(TARGET murosimf_gl_cameras)

@@ -1,19 +1,19 @@
 #include "game/game.h"
 
-#include "cart/cart.h"
+#include "all_controllers.h"
+#include "game/player_api_program.h"
 #include "murosimf/modules/camera/gl/gl_picture_maker.h"
 #include "murosimf/scene/field_texture.h"
 #include "murosimf/soccer/field.h"
 #include "murosimf/soccer/landmarks.h"
-#include "player/player.h"
-#include "trotter/trotter.h"
 
 namespace murosimf {
 
 ControlPrograms allPrograms() {
-  return {{"cart", [] { return controllers::cart::makeCart(); }},
-          {"player", [] { return controllers::makePlayer(); }},
-          {"trotter", [] { return controllers::trotter::makeTrotter(); }}};
+  ControlPrograms all;
+  for (const auto& [name, make] : controllers::allControllers()) all.emplace(name, ControlProgram(make));
+  all.emplace("player_api", playerApiProgram());
+  return all;
 }
 
 PictureMakers allPictureMakers() {
