@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -57,6 +58,9 @@ class Program final : public client::ControlSoftware {
       Step step, std::function<void()> begin = [] {})
       : step_(std::move(step)), begin_(std::move(begin)) {}
   void start(const client::RobotDescription&) override { begin_(); }
+  void startCameras(std::span<double> periods) override {
+    if (first_period) periods[0] = *first_period;
+  }
   void step(const client::SensorFrame& sensors, client::CommandFrame& commands) override {
     step_(*this, sensors, commands);
     ++steps;
@@ -64,6 +68,7 @@ class Program final : public client::ControlSoftware {
   const client::ControlReport& report() const override { return report_; }
   void archive(StateArchive& archive) override { archive(steps); }
   long steps = 0;
+  std::optional<double> first_period;  ///< of its camera, until its first commands [s]
 
  private:
   Step step_;
@@ -110,6 +115,7 @@ class ControlledWorld {
     d.team = path.substr(7, path.rfind('.') - 7);
     d.number = std::stoi(path.substr(path.rfind('.') + 1));
     d.joints.resize(2);
+    d.cameras.resize(1);
     return {RobotPort(*linked, robots[i], d), {}, std::move(program)};
   }
   std::unique_ptr<RobotCamera> camera(std::size_t i, double period, double phase = 0) const {
