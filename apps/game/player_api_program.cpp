@@ -41,7 +41,7 @@ std::vector<ProgramParameter> parameters() {
 
 PlayerPortSettings settingsOf(const ProgramValues& values, const client::RobotDescription& robot) {
   PlayerPortSettings s;
-  s.port = values.whole("port");
+  s.port = values.whole("port") >= 0 ? values.whole("port") : player_api::usualPort(robot);
   s.host = values.text("host");
   s.allowed = values.texts("allow");
   const std::string& lock_step = values.text("lock_step");

@@ -36,6 +36,19 @@ nlohmann::ordered_json controlFigures(const ControlCounts& counts) {
           {"failed_programs", counts.failed_programs}};
 }
 
+/// What programs have counted; none where no program counts anything.
+nlohmann::ordered_json programFigures(const Simulation& simulation) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (int i = 0; i < simulation.control()->robotCount(); ++i) {
+    const client::ControlSoftware* program = simulation.control()->program(i);
+    if (program == nullptr || program->figures().empty()) continue;
+    nlohmann::ordered_json& entry = list.emplace_back();
+    entry["robot"] = simulation.world().path(simulation.control()->robot(i).port.robot());
+    for (const auto& [name, value] : program->figures()) entry[name] = value;
+  }
+  return list;
+}
+
 nlohmann::ordered_json drawerList(const Simulation& simulation) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const DrawnCameras& drawn : drawnCameras(simulation)) {
@@ -75,6 +88,7 @@ nlohmann::ordered_json basicReport(const Scene& scene, const Simulation& simulat
     report["control"] = controlFigures(simulation.control()->counts());
     report["control"]["pictures_by"] = drawerList(simulation);
     report["control"]["faults"] = faultList(simulation);
+    report["control"]["programs"] = programFigures(simulation);
   }
   return report;
 }

@@ -20,6 +20,16 @@ double wallClock() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+/// The game may wait for whoever is to connect there, so people are told before it begins.
+void tellAddresses(Simulation& simulation) {
+  for (int i = 0; i < simulation.control()->robotCount(); ++i) {
+    const client::ControlSoftware* program = simulation.control()->program(i);
+    if (program != nullptr && !program->address().empty())
+      fmt::print(stderr, "{}: its control software connects to {}\n",
+                 simulation.world().path(simulation.control()->robot(i).port.robot()), program->address());
+  }
+}
+
 /// The command line's word where it has one, else the scenario's; "none" and nothing are no file.
 std::string chosenFile(const std::string& argument, const std::string& scenario) {
   const std::string file = argument.empty() ? scenario : argument;
@@ -92,6 +102,8 @@ bool Run::play(const std::function<bool()>& stop) {
   const long last_frame = std::lround(*scene_.simulation.duration / simulation_->frameLength());
   LiveLine line{LiveLine::Settings{}};
   bool stopped = false;
+  tellAddresses(*simulation_);
+  simulation_->start();
   const double start = wallClock();
   start_time_ = simulation_->time();
   if (pacer_ != nullptr) pacer_->start(start_time_);
@@ -165,7 +177,12 @@ int runScenario(const RunArguments& arguments) {
   Run run(arguments, *scene, diagnostics);
   fmt::print(stderr, "{}", diagnostics.text());
   if (diagnostics.hasErrors()) return kWrongInput;
-  run.play();
+  try {
+    run.play();
+  } catch (const client::CannotStart& problem) {
+    fmt::print(stderr, "error: {}\n", problem.what());
+    return kWrongInput;
+  }
   fmt::print("{}", run.finish());
   return run.anyFrozen() ? kFault : 0;
 }

@@ -10,10 +10,9 @@
 
 namespace murosimf::test {
 
-Outcome runProgram(const std::string& arguments) {
+Outcome runCommand(const std::string& command) {
   Outcome outcome;
-  const std::string command = std::string(MUROSIMF_PROGRAM) + " " + arguments + " 2>&1";
-  std::FILE* pipe = popen(command.c_str(), "r");
+  std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
   if (pipe == nullptr) return outcome;
   std::array<char, 4096> buffer{};
   while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
@@ -22,6 +21,10 @@ Outcome runProgram(const std::string& arguments) {
   const int status = pclose(pipe);
   outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   return outcome;
+}
+
+Outcome runProgram(const std::string& arguments) {
+  return runCommand(std::string(MUROSIMF_PROGRAM) + " " + arguments);
 }
 
 std::string freshFolder(const std::string& name) {

@@ -13,6 +13,8 @@ struct Outcome {
   std::string text;  ///< standard output and error
 };
 
+/// Runs a command through the shell.
+Outcome runCommand(const std::string& command);
 /// Runs `murosimf ARGUMENTS` through the shell.
 Outcome runProgram(const std::string& arguments);
 

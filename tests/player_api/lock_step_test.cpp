@@ -97,9 +97,9 @@ TEST(LockStep, FirstRequestsCountAsBeforeTheFirstStep) {
     client->send(std::move(timeStep("Camera", 32).message(asked::kTimeSteps, named("NeckS").number(2, 8))));
   });
   port.start(describedRobot());
-  player.join();
   std::vector<double> periods{-1};
   port.startCameras(periods);
+  player.join();
   EXPECT_EQ(periods[0], 0.032);
   client::SensorFrame frame;
   const std::vector<client::JointReading> joints{{0.1, 0, 0}, {0.2, 0, 0}};

@@ -14,10 +14,11 @@
 
 namespace murosimf::test {
 
-/// Expects docs/scenario_format.md to hold this between the marks "<!-- NAME: begin -->" and "<!-- NAME: end -->". With
+/// Expects a file of docs/ to hold this between the marks "<!-- NAME: begin -->" and "<!-- NAME: end -->". With
 /// MUROSIMF_UPDATE_DOCS set, writes it there.
-inline void expectDocumented(const std::string& name, const std::string& table) {
-  const std::filesystem::path file = kRoot / "docs/scenario_format.md";
+inline void expectDocumented(const std::string& name, const std::string& table,
+                             const std::string& document = "scenario_format.md") {
+  const std::filesystem::path file = kRoot / "docs" / document;
   std::ostringstream stream;
   stream << std::ifstream(file).rdbuf();
   std::string text = stream.str();
@@ -32,7 +33,7 @@ inline void expectDocumented(const std::string& name, const std::string& table) 
     return;
   }
   EXPECT_EQ(text.substr(start, last - start), table)
-      << "MUROSIMF_UPDATE_DOCS=1 build/release/tests/test_scene writes the table anew";
+      << "run this test with MUROSIMF_UPDATE_DOCS=1 and it writes the table anew";
 }
 
 }  // namespace murosimf::test

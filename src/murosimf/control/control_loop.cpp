@@ -77,6 +77,10 @@ const client::ControlReport* ControlLoop::report(int robot) const {
   return runner.controlled.program == nullptr ? nullptr : &runner.controlled.program->report();
 }
 
+const client::ControlSoftware* ControlLoop::program(int robot) const {
+  return robots_[static_cast<std::size_t>(robot)]->controlled.program.get();
+}
+
 bool ControlLoop::isBusy(int robot) const { return robots_[static_cast<std::size_t>(robot)]->busy; }
 
 void ControlLoop::applyCommands(long frame) {

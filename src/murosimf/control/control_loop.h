@@ -98,6 +98,9 @@ class ControlLoop {
   /// What its program believes; null when it has none. Only while no program runs: after finish().
   const client::ControlReport* report(int robot) const;
 
+  /// Its program; null: it has none.
+  const client::ControlSoftware* program(int robot) const;
+
   /// True while this robot's program runs.
   bool isBusy(int robot) const;
 

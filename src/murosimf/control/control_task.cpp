@@ -30,14 +30,19 @@ std::optional<std::string> faultOf(const Call& call) {
 }  // namespace
 
 void ControlLoop::start() {
-  for (auto& runner : robots_) {
+  for (Runner* runner : programmed_) {
     ControlledRobot& robot = runner->controlled;
-    if (robot.program == nullptr) continue;
     runner->asked = -1;
-    runner->fault = faultOf([&] {
-      robot.program->start(robot.port.description());
-      robot.program->startCameras(runner->commands.camera_periods);
-    });
+    try {
+      runner->fault = faultOf([&] { robot.program->start(robot.port.description()); });
+    } catch (const client::CannotStart& problem) {
+      throw client::CannotStart(runner->team() + " " + std::to_string(robot.port.description().number) + ": " +
+                                problem.what());
+    }
+  }
+  for (Runner* runner : programmed_) {
+    if (!runner->fault)
+      runner->fault = faultOf([&] { runner->controlled.program->startCameras(runner->commands.camera_periods); });
     runner->failed = runner->fault.has_value();
     setCameras(*runner, runner->commands, 0);
   }

@@ -6,6 +6,8 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "murosimf/control/client/robot_description.h"
 #include "murosimf/control/client/robot_frames.h"
@@ -27,13 +29,17 @@ class ControlSoftware {
   virtual ~ControlSoftware() = default;
   /// Called once, before the first step.
   virtual void start(const RobotDescription& robot) = 0;
-  /// Called once, after start(): as CommandFrame::camera_periods, for the time before the first step's commands. All
+  /// Called once, when all robots' programs have started: as CommandFrame::camera_periods, for the time before the first step's commands. All
   /// are kCameraAsIs; nothing is changed unless told.
   virtual void startCameras(std::span<double> periods) { static_cast<void>(periods); }
   /// True of a program whose step waits for somebody outside: it gets a thread of its own.
   virtual bool waitsForOthers() const { return false; }
   /// Reads one sensor frame and fills the commands for the next period. commands.joints has its size already.
   virtual void step(const SensorFrame& sensors, CommandFrame& commands) = 0;
+  /// Where somebody outside can connect to it, for people; empty: nowhere. Known before start().
+  virtual std::string address() const { return ""; }
+  /// What it has counted, for reports. Called between steps, after start().
+  virtual std::vector<std::pair<std::string, double>> figures() const { return {}; }
   /// What the program believes after the last step.
   virtual const ControlReport& report() const = 0;
   /// Writes or reads its whole state, for checkpoints. Called between steps, after start().

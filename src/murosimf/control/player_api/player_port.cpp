@@ -17,7 +17,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kFirstRed = 10001, kFirstBlue = 10021;  // ports of players 1 [referee/game.json]
 constexpr std::size_t kMostSentBytes = 32 << 20;
 
 double secondsNow() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
@@ -54,6 +53,10 @@ struct PlayerPort::Parts {
         reader(devices, motors, sensors) {}
 };
 
+int usualPort(const client::RobotDescription& robot) {
+  return (robot.team == "red" ? 10000 : 10020) + robot.number;
+}
+
 PlayerPort::PlayerPort(std::shared_ptr<FrameServer> server, const PlayerPortSettings& settings)
     : server_(std::move(server)),
       settings_(settings),
@@ -78,7 +81,6 @@ void PlayerPort::start(const client::RobotDescription& robot) {
         period));
   parts_ = std::make_unique<Parts>(robot_, period_, settings_.rendering_quota);
   listen();
-  if (settings_.lock_step) awaitClient();
 }
 
 void PlayerPort::listen() {
@@ -87,8 +89,7 @@ void PlayerPort::listen() {
   channel_ = std::make_shared<FrameChannel>(limits);
   FramePort port;
   port.host = settings_.host;
-  port.port =
-      settings_.port >= 0 ? settings_.port : (robot_.team == "red" ? kFirstRed : kFirstBlue) + robot_.number - 1;
+  port.port = settings_.port;
   port.allowed = settings_.allowed;
   port.backlog = 1;
   port.welcome = greeting("Welcome"), port.refusal = greeting("Refused");
@@ -118,18 +119,19 @@ void PlayerPort::awaitClient() {
 }
 
 void PlayerPort::startCameras(std::span<double> periods) {
-  std::vector<double> chosen(periods.size(), 0);
+  if (settings_.lock_step) awaitClient();
   parts_->sensors.camerasChanged();
-  for (int i = 0; i < parts_->devices.count(); ++i) {
-    if (parts_->devices.isCamera(i))
-      chosen[static_cast<std::size_t>(parts_->devices.device(i).part)] =
-          static_cast<double>(parts_->sensors.period(i)) * 1e-3;
-  }
-  std::copy(chosen.begin(), chosen.end(), periods.begin());
+  tellCameras(periods);
 }
 
-void PlayerPort::chooseCameras(std::vector<double>& periods) {
-  if (parts_->sensors.camerasChanged()) startCameras(periods);
+/// All cameras that the client has not turned on are off.
+void PlayerPort::tellCameras(std::span<double> periods) const {
+  std::fill(periods.begin(), periods.end(), 0.0);
+  for (int i = 0; i < parts_->devices.count(); ++i) {
+    if (parts_->devices.isCamera(i))
+      periods[static_cast<std::size_t>(parts_->devices.device(i).part)] =
+          static_cast<double>(parts_->sensors.period(i)) * 1e-3;
+  }
 }
 
 void PlayerPort::step(const client::SensorFrame& sensors, client::CommandFrame& commands) {
@@ -139,7 +141,7 @@ void PlayerPort::step(const client::SensorFrame& sensors, client::CommandFrame& 
   sendMeasurements(sensors, time);
   if (settings_.lock_step) awaitAnswer(time, time + period_);
   parts_->motors.fill(sensors.joints, sensors.game.penalised || sensors.game.sent_off, commands.joints);
-  chooseCameras(commands.camera_periods);
+  if (parts_->sensors.camerasChanged()) tellCameras(commands.camera_periods);
   commands.message = team_message_.value_or(client::TeamMessage{});
   team_message_.reset();
 }
@@ -240,6 +242,22 @@ void PlayerPort::sendMeasurements(const client::SensorFrame& sensors, long time)
   FrameBytes bytes = written();
   network_.count(second, bytes.size());
   channel_->send(std::move(bytes));
+}
+
+std::string PlayerPort::address() const {
+  return settings_.port == 0 ? settings_.host : fmt::format("{}:{}", settings_.host, settings_.port);
+}
+
+std::vector<std::pair<std::string, double>> PlayerPort::figures() const {
+  const PlayerPortCounts c = counts();
+  return {{"connections", static_cast<double>(c.channel.connections)},
+          {"messages_sent", static_cast<double>(c.channel.sent)},
+          {"bytes_sent", static_cast<double>(c.channel.bytes_sent)},
+          {"messages_dropped", static_cast<double>(c.channel.dropped)},
+          {"messages_received", static_cast<double>(c.channel.received)},
+          {"bytes_received", static_cast<double>(c.channel.bytes_received)},
+          {"missed_answers", static_cast<double>(c.missed_answers)},
+          {"warnings", static_cast<double>(c.warnings)}};
 }
 
 PlayerPortCounts PlayerPort::counts() const {

@@ -29,13 +29,16 @@ namespace murosimf::player_api {
 
 struct PlayerPortSettings {
   std::string host = "127.0.0.1";  ///< address to listen on
-  int port = -1;                   ///< -1: 10000 + number of red robots, 10020 + of blue; 0: any free one
+  int port = 0;                                      ///< 0: any free one
   std::vector<std::string> allowed = {"127.0.0.1"};  ///< hosts that clients may come from
   bool lock_step = false;
   double connect_wait = 60;                             ///< lock-step: how long the start waits for the client [s]
   DelayLimits delay;                                    ///< lock-step: how long steps do
   double rendering_quota = 87.5, network_quota = 87.5;  ///< [MiB/s]
 };
+
+/// The port of a robot in the virtual season: red 10001, 10002, ..., blue 10021, 10022, ... [referee/game.json].
+int usualPort(const client::RobotDescription& robot);
 
 /// What has passed through a port.
 struct PlayerPortCounts {
@@ -48,10 +51,13 @@ class PlayerPort final : public client::ControlSoftware {
   PlayerPort(std::shared_ptr<FrameServer> server, const PlayerPortSettings& settings);
   ~PlayerPort() override;
 
-  /// Listens. In lock-step waits for the client and its first requests.
+  /// Listens.
   /// @throws client::CannotStart where it cannot listen, or where the port period is no whole number of milliseconds
   void start(const client::RobotDescription& robot) override;
+  /// In lock-step waits for the client and its first requests.
   void startCameras(std::span<double> periods) override;
+  std::string address() const override;
+  std::vector<std::pair<std::string, double>> figures() const override;
   bool waitsForOthers() const override { return true; }
   void step(const client::SensorFrame& sensors, client::CommandFrame& commands) override;
   const client::ControlReport& report() const override { return report_; }
@@ -77,7 +83,7 @@ class PlayerPort final : public client::ControlSoftware {
   void introduce();
   void measure(const client::SensorFrame& sensors, long now);
   FrameBytes written();
-  void chooseCameras(std::vector<double>& periods);
+  void tellCameras(std::span<double> periods) const;
 
   std::shared_ptr<FrameServer> server_;
   PlayerPortSettings settings_;
