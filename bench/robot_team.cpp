@@ -21,7 +21,7 @@ const OutsideAccess& ports() {
     d.adds(kJointCommand, subset::kJoints);
     d.adds(kPlacement), d.adds(kPlacementCount), d.adds(kPlanarShift);
     d.reads(kJointPosition, subset::kJoints), d.reads(kJointVelocity, subset::kJoints);
-    d.readsIfAdded(kGyroscope), d.readsIfAdded(kAccelerometer);
+    d.readsIfAdded(kGyroscope, subset::kImus), d.readsIfAdded(kAccelerometer, subset::kImus);
     d.reads(kBasePose);
   });
   return access;
@@ -93,8 +93,9 @@ void RobotTeam::link(const Level& level, int lanes) {
   for (const ObjectId robot : robots_) {
     ports_.push_back({linked_->handle(robot, kJointCommand, subset::kJoints),
                       linked_->handle(robot, kJointPosition, subset::kJoints),
-                      linked_->handle(robot, kJointVelocity, subset::kJoints), linked_->handle(robot, kGyroscope),
-                      linked_->handle(robot, kAccelerometer), linked_->handle(robot, kBasePose)});
+                      linked_->handle(robot, kJointVelocity, subset::kJoints),
+                      linked_->handle(robot, kGyroscope, subset::kImus),
+                      linked_->handle(robot, kAccelerometer, subset::kImus), linked_->handle(robot, kBasePose)});
     ports_.back().base.set(start_);
     for (std::size_t j = 0; j < q_.size(); ++j) {
       ports_.back().command.set({q_[j], 0, 0, 1, 0}, static_cast<int>(j));

@@ -73,7 +73,7 @@ class DynamicWorld {
     static const OutsideAccess driver([](Declaration& d) {
       d.adds(kJointCommand, subset::kJoints);
       d.reads(kBasePose);
-      d.readsIfAdded(kGyroscope), d.readsIfAdded(kAccelerometer);
+      d.readsIfAdded(kGyroscope, subset::kImus), d.readsIfAdded(kAccelerometer, subset::kImus);
       d.readsIfAdded(kSolePressure, subset::kSoles);
       d.readsIfAdded(kMeasuredTorque, subset::kJoints), d.readsIfAdded(kServoLoad, subset::kJoints);
       d.readsIfAdded(kTouch, subset::kTouchSensors), d.readsIfAdded(kTouchForce, subset::kTouchSensors);

@@ -16,8 +16,8 @@ struct Unit {
     motion.command(robot, q);
     motion.step();
   }
-  Vector3 rate() const { return motion.get(robot, kGyroscope); }
-  Vector3 force() const { return motion.get(robot, kAccelerometer); }
+  Vector3 rate() const { return motion.get(robot, kGyroscope, subset::kImus); }
+  Vector3 force() const { return motion.get(robot, kAccelerometer, subset::kImus); }
 };
 
 TEST(InertialSensor, AtRestItFeelsTheGroundPushUpward) {
@@ -36,9 +36,9 @@ TEST(InertialSensor, OnATiltedBodyGravityIsTurnedIntoItsAxes) {
   motion.command(robot, gait(0, {}, 0));
   for (int i = 0; i < 20; ++i) motion.step();
   const double lean = 6.5 * kPi / 180;  // of the trunk in the gait: nose down
-  EXPECT_NEAR(motion.get(robot, kAccelerometer).x, -9.81 * sin(lean), 1e-9);
-  EXPECT_NEAR(motion.get(robot, kAccelerometer).z, 9.81 * cos(lean), 1e-9);
-  EXPECT_NEAR(norm(motion.get(robot, kGyroscope)), 0, 1e-12);
+  EXPECT_NEAR(motion.get(robot, kAccelerometer, subset::kImus).x, -9.81 * sin(lean), 1e-9);
+  EXPECT_NEAR(motion.get(robot, kAccelerometer, subset::kImus).z, 9.81 * cos(lean), 1e-9);
+  EXPECT_NEAR(norm(motion.get(robot, kGyroscope, subset::kImus)), 0, 1e-12);
 }
 
 TEST(InertialSensor, OnATurningBaseItFeelsTheRateAndTheCentripetalForce) {
@@ -91,8 +91,8 @@ TEST(InertialSensor, ThePlaceOfTheUnitOnATurningBodyCounts) {
     motion.command(robot, q);
     motion.step();
   }
-  EXPECT_NEAR(norm(motion.get(robot, kGyroscope)), 0.5, 1e-9);
-  EXPECT_NEAR(motion.get(robot, kGyroscope).z, 0.5, 1e-9);  // the waist's axis is the trunk's z
+  EXPECT_NEAR(norm(motion.get(robot, kGyroscope, subset::kImus)), 0.5, 1e-9);
+  EXPECT_NEAR(motion.get(robot, kGyroscope, subset::kImus).z, 0.5, 1e-9);  // the waist's axis is the trunk's z
 }
 
 }  // namespace

@@ -47,7 +47,8 @@ class Ks21Troop {
     for (std::size_t i = 0; i < size(); ++i) {
       Member& m = members_[i];
       world_.command(m.robot, m.due);
-      const controllers::BodySense felt{world_.get(m.robot, kGyroscope), world_.get(m.robot, kAccelerometer)};
+      const controllers::BodySense felt{world_.get(m.robot, kGyroscope, subset::kImus),
+                                        world_.get(m.robot, kAccelerometer, subset::kImus)};
       m.due = m.body.step(kPeriod, wish(i), felt, true);
       disturb(i, m.due);
     }

@@ -56,7 +56,7 @@ class MotionWorld {
       d.adds(kJointCommand, subset::kJoints);
       d.adds(kPlacement), d.adds(kPlacementCount), d.adds(kPlanarShift);
       d.reads(kBodyPose, subset::kBodies), d.reads(kBodyPoseLast, subset::kBodies);
-      d.reads(kGyroscope), d.reads(kAccelerometer);
+      d.reads(kGyroscope, subset::kImus), d.reads(kAccelerometer, subset::kImus);
     });
     const ModuleRegistry modules = allModules();
     Linker linker(world_, modules, {step_, lanes});

@@ -21,10 +21,10 @@ namespace {
 class Signal final : public RobotModule {
  public:
   static Vector3 at(long step) { return {0.01 * static_cast<double>(step), 5, 0}; }
-  void declare(Declaration& d) const override { d.runsIn(Phase::kSense), d.adds(kGyroscope); }
+  void declare(Declaration& d) const override { d.runsIn(Phase::kSense), d.adds(kGyroscope, subset::kImus); }
 
  private:
-  void bind(Links& links) override { gyroscope_ = links.values(kGyroscope); }
+  void bind(Links& links) override { gyroscope_ = links.values(kGyroscope, subset::kImus); }
   void stepRobot(const RobotLane& robot, const StepTime& time) const override {
     robot.set(gyroscope_, at(std::lround(time.t / time.dt)));
   }
@@ -38,7 +38,7 @@ class Bench {
   /// @param parameters  of gyroscope_errors; "period" [s] holds for the sensor as well
   explicit Bench(const Parameters& parameters, std::vector<std::string> robots = {"robots.red.1"}, int lanes = 1,
                  std::uint64_t seed = 1) {
-    static const OutsideAccess reader([](Declaration& d) { d.reads(kGyroscopeReading); });
+    static const OutsideAccess reader([](Declaration& d) { d.reads(kGyroscopeReading, subset::kImus); });
     ModuleRegistry registry = allModules();
     registry.add<Signal>("signal", "test", "");
     Linker linker(world_, registry, {1e-3, lanes});
@@ -48,6 +48,7 @@ class Bench {
     for (const std::string& path : robots) {
       robots_.push_back(world_.addPath(path));
       world_.set(robots_.back(), kNoiseKey, noiseKey(seed, path));
+      world_.defineSubset(robots_.back(), subset::kImus, {world_.add(robots_.back(), "imu")});
       linker.assign({robots_.back(), "signal", period, {}});
       linker.assign({robots_.back(), "gyroscope_errors", written, {}});
     }
@@ -60,7 +61,7 @@ class Bench {
     linked_->runFrame(frame_++);
     return reading(robot);
   }
-  Vector3 reading(std::size_t robot) { return linked_->handle(robots_[robot], kGyroscopeReading).get(); }
+  Vector3 reading(std::size_t robot) { return linked_->handle(robots_[robot], kGyroscopeReading, subset::kImus).get(); }
   std::vector<Vector3> steps(int count, std::size_t robot = 0) {
     std::vector<Vector3> readings;
     for (int i = 0; i < count; ++i) readings.push_back(step(robot));

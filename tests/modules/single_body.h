@@ -58,8 +58,8 @@ class SingleBody {
   Pose pose() const { return world_.base(robot_); }
   SpatialMotion<double> velocity() const { return world_.get(robot_, kBaseVelocity); }  ///< own axes
   Vector3 worldVelocity() const { return pose().rotation * velocity().v; }
-  Vector3 accelerometer() const { return world_.get(robot_, kAccelerometer); }
-  Vector3 gyroscope() const { return world_.get(robot_, kGyroscope); }
+  Vector3 accelerometer() const { return world_.get(robot_, kAccelerometer, subset::kImus); }
+  Vector3 gyroscope() const { return world_.get(robot_, kGyroscope, subset::kImus); }
   void run(double seconds) { world_.run(seconds); }
   void step() { world_.step(); }
 

@@ -185,7 +185,7 @@ TEST(ForceSensor, WhatHangsOnAWalkersPelvisAcceleratesItAsItsAccelerometerFeels)
       const Pose X_PC = childPose(Pose{}, rows[static_cast<std::size_t>(row)], q[static_cast<std::size_t>(row) - 1]);
       sum += X_PC.rotation * world.get(robot, kSensedForce, subset::kForceSensors, static_cast<int>(s));
     }
-    const Vector3 felt = world.get(robot, kAccelerometer) * print.flat.row_mass[0].mass;
+    const Vector3 felt = world.get(robot, kAccelerometer, subset::kImus) * print.flat.row_mass[0].mass;
     ASSERT_LT(norm(sum - felt), 1e-8) << k;
     largest = max(largest, norm(felt));
   }

@@ -65,8 +65,8 @@ class TrottingRobots {
       }
       client::SensorFrame felt;
       felt.time = world_.time();
-      felt.angular_velocity = world_.get(m.robot, kGyroscope);
-      felt.specific_force = world_.get(m.robot, kAccelerometer);
+      felt.angular_velocity = world_.get(m.robot, kGyroscope, subset::kImus);
+      felt.specific_force = world_.get(m.robot, kAccelerometer, subset::kImus);
       m.program->step(felt, m.commands);
     }
     world_.run(kPeriod);

@@ -70,7 +70,8 @@ class OurRobot {
                                "dynamic_inertial_sensor", "explicit_euler"}) {
       linker.assign({robot_, module, {}, {}});
     }
-    static const OutsideAccess reader([](Declaration& d) { d.reads(kGyroscope), d.reads(kAccelerometer); });
+    static const OutsideAccess reader(
+        [](Declaration& d) { d.reads(kGyroscope, subset::kImus), d.reads(kAccelerometer, subset::kImus); });
     linker.attach({"reader", &reader, {robot_}});
     Diagnostics diagnostics;
     linked_ = linker.link(diagnostics);
@@ -95,8 +96,8 @@ class OurRobot {
     return result;
   }
 
-  Vector3 gyroscope() { return linked_->handle(robot_, kGyroscope).get(); }
-  Vector3 accelerometer() { return linked_->handle(robot_, kAccelerometer).get(); }
+  Vector3 gyroscope() { return linked_->handle(robot_, kGyroscope, subset::kImus).get(); }
+  Vector3 accelerometer() { return linked_->handle(robot_, kAccelerometer, subset::kImus).get(); }
 
  private:
   World world_;

@@ -116,7 +116,7 @@ TEST(WorldBuilder, MotionsPeriodHoldsForWhatFollowsIt) {
   EXPECT_EQ(linked.handle(redOne(world), kJointPosition, subset::kJoints).period(), 4);
   EXPECT_EQ(linked.handle(redOne(world), kBasePose).period(), 4);
   EXPECT_EQ(linked.handle(redOne(world), kBodyPose, subset::kBodies).period(), 4);
-  EXPECT_EQ(linked.handle(redOne(world), kGyroscope).period(), 4);
+  EXPECT_EQ(linked.handle(redOne(world), kGyroscope, subset::kImus).period(), 4);
   EXPECT_EQ(linked.handle(world.find("robots.blue.1"), kBasePose).period(), 10);
 }
 

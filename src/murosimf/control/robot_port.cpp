@@ -32,14 +32,14 @@ const OutsideAccess& RobotPort::robotAccess() {
     d.readsIfAdded(kMeasuredTorque, subset::kJoints);
     d.readsIfAdded(kSoleClearance, subset::kSoles);
     d.readsIfAdded(kSolePressure, subset::kSoles);
-    d.readsIfAdded(kGyroscope);
-    d.readsIfAdded(kAccelerometer);
+    d.readsIfAdded(kGyroscope, subset::kImus);
+    d.readsIfAdded(kAccelerometer, subset::kImus);
     d.readsIfAdded(kJointPositionReading, subset::kJoints);
     d.readsIfAdded(kJointVelocityReading, subset::kJoints);
     d.readsIfAdded(kMeasuredTorqueReading, subset::kJoints);
     d.readsIfAdded(kSolePressureReading, subset::kSoles);
-    d.readsIfAdded(kGyroscopeReading);
-    d.readsIfAdded(kAccelerometerReading);
+    d.readsIfAdded(kGyroscopeReading, subset::kImus);
+    d.readsIfAdded(kAccelerometerReading, subset::kImus);
     d.readsIfAdded(kTouch, subset::kTouchSensors);
     d.readsIfAdded(kTouchReading, subset::kTouchSensors);
     d.readsIfAdded(kSensedForce, subset::kForceSensors);
@@ -57,11 +57,12 @@ RobotPort::RobotPort(LinkedWorld& linked, ObjectId robot, client::RobotDescripti
       velocity_(sensed(linked, robot, kJointVelocity, kJointVelocityReading, subset::kJoints)),
       torque_(sensed(linked, robot, kMeasuredTorque, kMeasuredTorqueReading, subset::kJoints)),
       pressure_(sensed(linked, robot, kSolePressure, kSolePressureReading, subset::kSoles)),
-      gyroscope_(sensed(linked, robot, kGyroscope, kGyroscopeReading, subset::kSelf)),
-      accelerometer_(sensed(linked, robot, kAccelerometer, kAccelerometerReading, subset::kSelf)),
+      gyroscope_(sensed(linked, robot, kGyroscope, kGyroscopeReading, subset::kImus)),
+      accelerometer_(sensed(linked, robot, kAccelerometer, kAccelerometerReading, subset::kImus)),
       touch_(sensed(linked, robot, kTouch, kTouchReading, subset::kTouchSensors)),
       force_(sensed(linked, robot, kSensedForce, kSensedForceReading, subset::kForceSensors)),
       joints_(description_.joints.size()),
+      imus_(description_.imus.size()),
       sole_touches_(description_.soles.size()),
       sole_pressures_(description_.soles.size()),
       touches_(description_.touch_sensors.size()),
@@ -74,8 +75,7 @@ void RobotPort::readSensors(double t, client::SensorFrame& sensors) {
   }
   sensors.time = t;
   sensors.joints = joints_;
-  if (gyroscope_.valid()) sensors.angular_velocity = gyroscope_.get();
-  if (accelerometer_.valid()) sensors.specific_force = accelerometer_.get();
+  readImus(sensors);
   for (std::size_t i = 0; i < sole_touches_.size(); ++i) {
     sole_touches_[i] = touches(static_cast<int>(i)) ? 1 : 0;
     sole_pressures_[i] = pressureOf(static_cast<int>(i));
@@ -92,6 +92,17 @@ void RobotPort::readSensors(double t, client::SensorFrame& sensors) {
   sensors.sole_pressures = sole_pressures_;
   sensors.touches = touches_;
   sensors.forces = forces_;
+}
+
+void RobotPort::readImus(client::SensorFrame& sensors) {
+  for (std::size_t i = 0; i < imus_.size(); ++i) {
+    const int imu = static_cast<int>(i);
+    if (gyroscope_.size() > imu) imus_[i].angular_velocity = gyroscope_.get(imu);
+    if (accelerometer_.size() > imu) imus_[i].specific_force = accelerometer_.get(imu);
+  }
+  sensors.imus = imus_;
+  if (gyroscope_.size() > 0) sensors.angular_velocity = gyroscope_.get();
+  if (accelerometer_.size() > 0) sensors.specific_force = accelerometer_.get();
 }
 
 std::array<double, 4> RobotPort::pressureOf(int sole) const {

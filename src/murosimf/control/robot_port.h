@@ -34,8 +34,8 @@ class RobotPort {
   ObjectId robot() const { return robot_; }
   const client::RobotDescription& description() const { return description_; }
 
-  /// Reads joints, inertial sensor, soles, touch and force sensors as they are now. Pictures, messages and game are the
-  /// caller's to add.
+  /// Reads joints, inertial sensors, soles, touch and force sensors as they are now. Pictures, messages and game are
+  /// the caller's to add.
   void readSensors(double t, client::SensorFrame& sensors);
   /// A command frame of the right size in which every joint asks for nothing.
   client::CommandFrame emptyCommands() const;
@@ -43,6 +43,7 @@ class RobotPort {
   int applyCommands(const client::CommandFrame& commands);
 
  private:
+  void readImus(client::SensorFrame& sensors);
   bool touches(int sole) const;
   std::array<double, 4> pressureOf(int sole) const;
   ObjectId robot_;
@@ -50,11 +51,12 @@ class RobotPort {
   Handle<ServoCommand> command_;
   Handle<double> clearance_;
   Sensed<double> position_, velocity_, torque_;
-  Sensed<CornerForces<>> pressure_;  // of soles
-  Sensed<Vector3> gyroscope_, accelerometer_;
-  Sensed<double> touch_;   // of touch sensors
-  Sensed<Vector3> force_;  // of force sensors
+  Sensed<CornerForces<>> pressure_;            // of soles
+  Sensed<Vector3> gyroscope_, accelerometer_;  // of inertial measurement units
+  Sensed<double> touch_;                       // of touch sensors
+  Sensed<Vector3> force_;                      // of force sensors
   std::vector<client::JointReading> joints_;
+  std::vector<client::ImuReading> imus_;
   std::vector<std::uint8_t> sole_touches_;
   std::vector<std::array<double, 4>> sole_pressures_;
   std::vector<std::uint8_t> touches_;

@@ -129,6 +129,15 @@ void addCameras(World& world, ObjectId robot, const RobotBlueprint& b) {
   world.defineSubset(robot, kCamerasSubset, std::move(cameras));
 }
 
+void addImus(World& world, ObjectId robot, const RobotBlueprint& b) {
+  std::vector<ObjectId> imus;
+  for (const ImuMount& imu : b.model.imus) {
+    imus.push_back(world.add(robot, imu.name));
+    world.set(imus.back(), kImuPlace, placeOn(b, imu.body, imu.X_BI), imu.where);
+  }
+  world.defineSubset(robot, subset::kImus, std::move(imus));
+}
+
 void addTouchAndForceSensors(World& world, ObjectId robot, const RobotBlueprint& b) {
   std::vector<ObjectId> touch, force;
   for (const TouchSensorMount& sensor : b.model.touch_sensors) {
@@ -203,13 +212,10 @@ ObjectId addRobot(World& world, const std::string& path, const RobotBlueprint& b
   world.set(robot, kShapes, shapesOf(b, team_colour));
   world.set(robot, kIgnoredPairs, ignoredRows(b));
   world.set(robot, kBlockingRadius, kDefaultBlockingRadius);
-  if (!b.model.imus.empty()) {
-    const ImuMount& imu = b.model.imus.front();
-    world.set(robot, kImuPlace, placeOn(b, imu.body, imu.X_BI), imu.where);
-  }
   addJoints(world, robot, b);
   addBodies(world, robot, b);
   addCameras(world, robot, b);
+  addImus(world, robot, b);
   addTouchAndForceSensors(world, robot, b);
   addWheels(world, robot, b);
   addRangeSensors(world, robot, b);

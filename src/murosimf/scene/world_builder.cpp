@@ -301,6 +301,7 @@ client::RobotDescription WorldBuilder::describe(const RobotSettings& robot) cons
     const std::string& path = world_->path(sole);
     d.soles.push_back(path.substr(path.rfind('.') + 1));
   }
+  for (const ImuMount& imu : model.imus) d.imus.push_back(imu.name);
   for (const TouchSensorMount& sensor : model.touch_sensors) d.touch_sensors.push_back(sensor.name);
   for (const ForceSensorMount& sensor : model.force_sensors) d.force_sensors.push_back(sensor.name);
   describeMounts(*world_, world_->find(robot.path()), model, d);

@@ -1,10 +1,10 @@
 #pragma once
 
-/// @file Gyroscope and accelerometer of an inertial measurement unit, from the accelerations that dynamics finds.
+/// @file Gyroscopes and accelerometers of inertial measurement units, from the accelerations that dynamics finds.
 ///
 /// Model      algorithms/inertial_reading.h, without noise.
 /// Phase      kEvaluate, behind the dynamics: with several evaluations a step the last one counts.
-/// Cost       three cross products and two rotations. No world poses are needed.
+/// Cost       three cross products and two rotations a unit. No world poses are needed.
 /// Exchange   with any module that adds gyroscope and accelerometer.
 
 #include "murosimf/linking/module.h"
@@ -19,6 +19,7 @@ class DynamicInertialSensor final : public BlockModule {
   void step(const BlockMemory& block, const StepTime& time) const override { kernel_(arguments_, block, time); }
 
  private:
+  std::vector<UnitPlace> units_;
   DynamicInertialSensorArguments arguments_;
   KernelSet<DynamicInertialSensorArguments>::Kernel kernel_ = nullptr;
 };

@@ -7,9 +7,15 @@
 
 namespace murosimf {
 
-struct DynamicInertialSensorArguments {
+/// Where a unit sits.
+struct UnitPlace {
   int row = 0;
   KernelPose X_RI;
+};
+
+struct DynamicInertialSensorArguments {
+  const UnitPlace* units = nullptr;
+  int count = 0;
   ColumnRef twist, acceleration, gyroscope, accelerometer;
 };
 
@@ -20,11 +26,15 @@ inline namespace MUROSIMF_ISA {
 
 template <class S>
 void dynamicInertialSensor(const DynamicInertialSensorArguments& a, const BlockMemory& block, const StepTime& time) {
-  const InertialReading<S> reading =
-      inertialReading(a.X_RI, columnAt<SpatialMotion<S>, S>(block, a.twist)[a.row],
-                      columnAt<SpatialMotion<S>, S>(block, a.acceleration)[a.row], S(time.implicit));
-  *columnAt<Vec3<S>, S>(block, a.gyroscope) = reading.gyroscope;
-  *columnAt<Vec3<S>, S>(block, a.accelerometer) = reading.accelerometer;
+  const auto* twist = columnAt<SpatialMotion<S>, S>(block, a.twist);
+  const auto* acceleration = columnAt<SpatialMotion<S>, S>(block, a.acceleration);
+  for (int i = 0; i < a.count; ++i) {
+    const UnitPlace& unit = a.units[i];
+    const InertialReading<S> reading =
+        inertialReading(unit.X_RI, twist[unit.row], acceleration[unit.row], S(time.implicit));
+    columnAt<Vec3<S>, S>(block, a.gyroscope)[i] = reading.gyroscope;
+    columnAt<Vec3<S>, S>(block, a.accelerometer)[i] = reading.accelerometer;
+  }
 }
 
 }  // namespace MUROSIMF_ISA

@@ -1,11 +1,11 @@
 #pragma once
 
-/// @file Gyroscope and accelerometer of an inertial measurement unit, from how its body moved over the step.
+/// @file Gyroscopes and accelerometers of inertial measurement units, from how their bodies moved over the step.
 ///
 /// Model      w = log(R_last^T R) / dt in the unit's axes;  f = R^T (dv/dt - g), v = (p - p_last)/dt at its origin,
 ///            dv since the step before; g = (0, 0, -9.81) m/s^2. Both are means over the step, without noise.
 /// Phase      kSense, at the rate of the motion that it follows.
-/// Cost       one rotation logarithm; two rotations about an axis a joint between the base and the unit's body.
+/// Cost       a unit one rotation logarithm, and two rotations about an axis a joint between the base and its body.
 
 #include "murosimf/linking/module.h"
 #include "murosimf/modules/sensing/inertial_sensor_kernel.h"
@@ -20,7 +20,8 @@ class InertialSensor final : public BlockModule {
 
  private:
   std::vector<KernelRow> rows_;
-  std::vector<int> chain_;
+  std::vector<std::vector<int>> chains_;  ///< of each unit
+  std::vector<UnitChain> units_;
   InertialSensorArguments arguments_;
   KernelSet<InertialSensorArguments>::Kernel kernel_ = nullptr;
 };

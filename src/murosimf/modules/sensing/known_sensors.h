@@ -7,7 +7,7 @@
 namespace murosimf {
 
 inline constexpr SensorWords<Vector3> kGyroscopeErrors{"gyroscope_errors",
-                                                       subset::kSelf,
+                                                       subset::kImus,
                                                        kGyroscope,
                                                        kGyroscopeReading,
                                                        {"gyroscope_bias", "rad/s", "drawn once", Storage::kKept},
@@ -16,7 +16,7 @@ inline constexpr SensorWords<Vector3> kGyroscopeErrors{"gyroscope_errors",
 
 inline constexpr SensorWords<Vector3> kAccelerometerErrors{
     "accelerometer_errors",
-    subset::kSelf,
+    subset::kImus,
     kAccelerometer,
     kAccelerometerReading,
     {"accelerometer_bias", "m/s^2", "drawn once", Storage::kKept},

@@ -1,12 +1,12 @@
 #pragma once
 
 /// @file dynamic_inertial_sensor for robots whose joints move as prescribed: asks for no more than the bodies between
-/// base and unit.
+/// base and units.
 ///
 /// Model      algorithms/inertial_reading.h, with the accelerations of body_accelerations, found on the way from the
-///            base to the unit's body alone.
+///            base to each unit's body alone.
 /// Phase      kEvaluate, behind simplified_dynamics.
-/// Cost       about 60 operations, and 30 a joint of the way.
+/// Cost       about 60 operations, and 30 a joint of the way, each for every unit.
 /// Exchange   with any module that adds gyroscope and accelerometer.
 
 #include "murosimf/linking/module.h"
@@ -22,7 +22,8 @@ class PrescribedInertialSensor final : public BlockModule {
 
  private:
   std::vector<KernelRow> rows_;
-  std::vector<int> way_;
+  std::vector<std::vector<int>> ways_;  ///< of each unit
+  std::vector<UnitWay> units_;
   PrescribedInertialSensorArguments arguments_;
   KernelSet<PrescribedInertialSensorArguments>::Kernel kernel_ = nullptr;
 };
