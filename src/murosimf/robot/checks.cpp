@@ -8,6 +8,8 @@
 namespace murosimf {
 namespace {
 
+constexpr std::size_t kLongestName = 100;
+
 bool positive(double x) { return std::isfinite(x) && x > 0; }
 bool notNegative(double x) { return std::isfinite(x) && x >= 0; }
 
@@ -58,12 +60,21 @@ std::string servoProblem(const ServoParameters& servo) {
 
 std::string nameProblem(const std::string& name) {
   if (name.empty()) return "name is empty";
-  if (name.size() > 100) return "name " + quoted(name) + " is longer than 100 characters";
+  if (name.size() > kLongestName)
+    return "name " + quoted(name) + fmt::format(" is longer than {} characters", kLongestName);
   const auto allowed = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
   };
   if (std::all_of(name.begin(), name.end(), allowed)) return "";
   return "name " + quoted(name) + " holds something else than letters, digits, _ and -";
+}
+
+std::string deviceNameProblem(const std::string& name) {
+  const auto prints = [](char c) { return c >= ' ' && c <= '~'; };
+  const bool bare = !name.empty() && name.front() != ' ' && name.back() != ' ';
+  if (bare && name.size() <= kLongestName && std::all_of(name.begin(), name.end(), prints)) return "";
+  return "device name is " + quoted(name) +
+         fmt::format(", expected 1 to {} printable ASCII characters, no space at the ends", kLongestName);
 }
 
 std::optional<Vector3> unitAxis(const Vector3& axis) {

@@ -24,6 +24,9 @@ std::string servoProblem(const ServoParameters& servo);
 /// A name is a word of at most 100 letters, digits, `_` and `-`, so that paths and lists of names need no quotes.
 std::string nameProblem(const std::string& name);
 
+/// A device of the player API is named as others named it: 1 to 100 printable ASCII characters, spaces within.
+std::string deviceNameProblem(const std::string& name);
+
 /// The axis with length 1, or nothing when it is zero or not finite. Components below 1e-9 of the largest are rounding
 /// of whatever wrote the file and become zero, so that a coordinate axis stays exactly one.
 std::optional<Vector3> unitAxis(const Vector3& axis);

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "murosimf/algorithms/camera_model.h"
+#include "murosimf/robot/device_mount.h"
 #include "murosimf/robot/kinematic_tree.h"
 
 namespace murosimf {
@@ -59,6 +60,7 @@ struct PressureSensorMount {
   std::string name{};
   int body = -1;
   std::vector<Vector3> points{};  ///< p_BP_B [m]
+  std::string sole{};             ///< whose corners they are; empty: points of its own
   SourceLocation where{};
 };
 
@@ -149,6 +151,7 @@ struct RobotModel {
   std::vector<RangeSensorMount> range_sensors{};
   std::vector<WheelMount> wheels{};
   std::vector<JointSensorMount> joint_sensors{};  ///< at most one a joint, in the order of joints
+  std::vector<DeviceMount> devices{};             ///< of the player API: as the file tells them, else all by default
   /// Pairs of bodies (smaller index first, ascending) that are never tested for contact with each other.
   std::vector<std::pair<int, int>> ignored_pairs{};
   std::map<PropertyKey, PropertyText> properties{};

@@ -29,6 +29,7 @@ class Assembler {
     resolveCameras();
     resolveIgnoredPairs();
     resolveProperties();
+    resolveDevices(robot_, model_, diagnostics_);
     return std::move(model_);
   }
 

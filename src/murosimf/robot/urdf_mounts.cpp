@@ -51,7 +51,7 @@ PressureSensorMount readPressureSensor(const XmlElement& element, const LinkPart
     for (const Sole& sole : link.soles) {
       names.push_back(sole.name);
       const std::array<Vector3, 4> corners = sole.corners();
-      if (sole.name == wanted) sensor.points.assign(corners.begin(), corners.end());
+      if (sole.name == wanted) sensor.points.assign(corners.begin(), corners.end()), sensor.sole = wanted;
     }
     if (sensor.points.empty()) {
       element.errorAt("sole", "is " + quoted(wanted) + ", which is no sole of this link" +
@@ -177,7 +177,7 @@ void readMounts(const XmlElement& extension, LinkPart& link, RobotPart& robot) {
 }
 
 void readRobotExtension(const XmlElement& extension, RobotPart& robot) {
-  extension.accept({"surface", "ignore_contacts_within"}, {"servo_type", "ignore_contact", "property"});
+  extension.accept({"surface", "ignore_contacts_within"}, {"servo_type", "ignore_contact", "property", "player_api"});
   robot.surface = extension.text("surface", robot.surface);
   if (extension.has("ignore_contacts_within")) {
     robot.ignore_within = extension.integer("ignore_contacts_within", 1, 100);
@@ -187,6 +187,7 @@ void readRobotExtension(const XmlElement& extension, RobotPart& robot) {
     pair.accept({"first", "second"});
     robot.ignored_pairs.emplace_back(readReference(pair, "first"), readReference(pair, "second"));
   }
+  if (const std::optional<XmlElement> api = extension.child("player_api")) readPlayerApi(*api, robot);
   readProperties(extension, "", robot);
 }
 

@@ -54,6 +54,12 @@ struct JointPart {
   std::optional<double> sensor_resolution{};
 };
 
+/// A device of the robot's <player_api>, and the part of the robot that it is.
+struct DevicePart {
+  DeviceMount mount{};
+  Reference part{};
+};
+
 using PropertyPart = std::pair<PropertyKey, PropertyText>;
 
 /// A mesh in a frame S at the centre of its bounding box, parallel to the frame L of its file.
@@ -77,6 +83,8 @@ struct RobotPart {
   std::vector<JointPart> joints{};
   std::vector<std::pair<Reference, Reference>> ignored_pairs{};
   std::vector<PropertyPart> properties{};
+  std::vector<DevicePart> devices{};
+  bool names_devices = false;  ///< has a <player_api>, though it may be empty
 };
 
 /// A required name attribute that keeps to the rules of names.
@@ -102,8 +110,12 @@ std::string nearestKey(const Diagnostics& diagnostics, const std::string& word,
 bool readGeometry(const XmlElement& geometry, GeometryUse use, RobotPart& robot, BodyShape& out);
 /// <material> definitions with a colour, at the top and within visuals.
 void readMaterials(const XmlElement& robot_element, RobotPart& robot);
-/// <murosimf> of the robot: servo types, surface, ignored contacts, properties.
+/// <murosimf> of the robot: servo types, surface, ignored contacts, properties, devices.
 void readRobotExtension(const XmlElement& extension, RobotPart& robot);
+/// <player_api> of the robot's <murosimf>.
+void readPlayerApi(const XmlElement& element, RobotPart& robot);
+/// Its devices, each with the part that it names: unknown parts are reported. Without <player_api> defaultDevices().
+void resolveDevices(const RobotPart& robot, RobotModel& model, Diagnostics& diagnostics);
 void readLink(const XmlElement& element, RobotPart& robot);
 void readJoint(const XmlElement& element, RobotPart& robot);
 /// A camera of a link's <murosimf>.

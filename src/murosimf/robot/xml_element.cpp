@@ -158,6 +158,14 @@ std::vector<XmlElement> XmlElement::children(const char* name) const {
   return out;
 }
 
+std::vector<XmlElement> XmlElement::children() const {
+  std::vector<XmlElement> out;
+  for (const auto* c = element_->FirstChildElement(); c != nullptr; c = c->NextSiblingElement()) {
+    out.emplace_back(*c, *file_, *diagnostics_);
+  }
+  return out;
+}
+
 std::optional<XmlElement> XmlElement::child(const char* name) const {
   const std::vector<XmlElement> found = children(name);
   if (found.empty()) return std::nullopt;

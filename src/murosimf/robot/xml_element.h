@@ -51,6 +51,8 @@ class XmlElement {
   Pose pose() const;
 
   std::vector<XmlElement> children(const char* name) const;
+  /// All of them, in the order of the file.
+  std::vector<XmlElement> children() const;
   /// The one child of that name; a second one is an error.
   std::optional<XmlElement> child(const char* name) const;
   std::optional<XmlElement> requiredChild(const char* name) const;

@@ -1,5 +1,7 @@
 #include "murosimf/scene/mount_description.h"
 
+#include <algorithm>
+
 #include "murosimf/world/vocabulary.h"
 
 namespace murosimf {
@@ -60,7 +62,29 @@ client::TouchSensorDescription touchSensorOf(const TouchSensorMount& sensor, con
   return d;
 }
 
+static_assert(static_cast<int>(MountedDevice::kMotor) == static_cast<int>(client::DeviceKind::kMotor));
+static_assert(static_cast<int>(MountedDevice::kBumper) == static_cast<int>(client::DeviceKind::kBumper));
+
+/// Clients count soles by side, the model in the order of the file.
+int clientPart(const DeviceMount& device, const RobotModel& model, const client::RobotDescription& d) {
+  if (device.kind != MountedDevice::kForce) return device.part;
+  const std::string& sole = model.soles[static_cast<std::size_t>(device.part)].name;
+  return static_cast<int>(std::find(d.soles.begin(), d.soles.end(), sole) - d.soles.begin());
+}
+
 }  // namespace
+
+void describeDevices(const RobotModel& model, client::RobotDescription& d) {
+  for (const DeviceMount& device : model.devices) {
+    client::DeviceDescription& told = d.devices.emplace_back();
+    told.kind = static_cast<client::DeviceKind>(device.kind);
+    told.name = device.name;
+    told.part = clientPart(device, model, d);
+    told.corner = device.corner;
+    told.scale = device.scale, told.offset = device.offset;
+    told.lowest = device.lowest, told.highest = device.highest;
+  }
+}
 
 void describeMounts(const World& world, ObjectId robot, const RobotModel& model, client::RobotDescription& d) {
   const Posture posture(model);

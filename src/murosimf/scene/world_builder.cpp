@@ -305,6 +305,7 @@ client::RobotDescription WorldBuilder::describe(const RobotSettings& robot) cons
   for (const TouchSensorMount& sensor : model.touch_sensors) d.touch_sensors.push_back(sensor.name);
   for (const ForceSensorMount& sensor : model.force_sensors) d.force_sensors.push_back(sensor.name);
   describeMounts(*world_, world_->find(robot.path()), model, d);
+  describeDevices(model, d);
   d.field = fieldDescription(scene_);
   const bool attacks_plus = *(robot.team == "red" ? scene_.red : scene_.blue).attacks_positive_x;
   d.course = courseDescription(scene_, attacks_plus);
