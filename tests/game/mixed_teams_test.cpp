@@ -17,7 +17,9 @@ struct MixedTeams {
     scene = readScenario(MUROSIMF_SOURCE_DIR "/scenarios/mixed_teams.toml", overrides, diagnostics).value();
     simulation = buildGame(scene, diagnostics);
     EXPECT_EQ(diagnostics.text(), "");
-    const client::GameInfo playing{client::GamePhase::kPlaying, true, false, 600, 0, 0, 1, false, {}};
+    client::GameInfo playing;
+    playing.phase = client::GamePhase::kPlaying, playing.own_kickoff = true;
+    playing.time_left = 600, playing.restart_count = 1;
     for (int i = 0; i < simulation->control()->robotCount(); ++i) simulation->control()->setGame(i, playing);
   }
   ~MixedTeams() { simulation->control()->finish(); }

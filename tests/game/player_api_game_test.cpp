@@ -19,7 +19,7 @@ int firstPort() { return 20000 + static_cast<int>(getpid() % 20000); }
 
 const char* const kGame =
     "run scenarios/game_4v4.toml --set simulation.control_period=0.008 --set simulation.control_delay=0.008 "
-    "--set output.pictures=false --set robots.all.cameras.head.period=0.048 --set robots.all.cameras.chest.module=none ";
+    "--set output.pictures=false --set robots.all.cameras.head.period=0.048 --set robots.all.cameras.chest.period=0.096 ";
 
 nlohmann::json reportOf(const std::string& arguments, const std::string& folder) {
   const Outcome outcome = runProgram(kGame + arguments + " --out " + folder);
