@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -90,7 +91,11 @@ void Run::openFilm() {
 }
 
 void Run::step() {
+  const double start = wallClock();
   simulation_->step();
+  const double seconds = wallClock() - start;
+  frame_seconds_.add(seconds);
+  longest_frame_ = std::max(longest_frame_, seconds);
   const bool due = arguments_.checkpoint_time >= 0 && simulation_->time() >= arguments_.checkpoint_time - 1e-9;
   if (due && !checkpoint_saved_ && !arguments_.checkpoint.empty()) {
     saveCheckpoint(arguments_.checkpoint, *simulation_, scene_.file.string());
@@ -127,6 +132,10 @@ void Run::updateLine(LiveLine& line, double wall_seconds) {
 nlohmann::ordered_json Run::report() {
   const double simulated = simulation_->time() - start_time_;
   nlohmann::ordered_json report = basicReport(scene_, *simulation_, watch_->hashes(), simulated, wall_seconds_);
+  report["frame_seconds"] = {{"median", frame_seconds_.percentile(0.5)},
+                             {"p99", frame_seconds_.percentile(0.99)},
+                             {"p999", frame_seconds_.percentile(0.999)},
+                             {"longest", longest_frame_}};
   if (pacer_ != nullptr) report["pace"] = paceFigures(pacer_->report());
   if (watch_->referee() != nullptr) addMatch(report, *watch_->referee(), *watch_->match());
   if (watch_->trial() != nullptr) addTrial(report, *watch_->trial());

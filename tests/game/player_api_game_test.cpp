@@ -106,6 +106,36 @@ TEST(RemoteGame, TwoRobotsOnOnePortCannotStart) {
       << outcome.text;
 }
 
+class HostileClients : public ::testing::TestWithParam<const char*> {};
+
+/// Two ports are attacked; nothing that makes sense is asked of the motors, so all robots must move as if alone.
+TEST_P(HostileClients, ChangeNoBitOfAnyRobot) {
+  const auto game = [](const std::string& name) {
+    const std::string port = "program=\"player_api\", lock_step=\"no\", port=";
+    return reportOf("--set robots.all.level=oracle --set simulation.duration=20 --set 'robots.red.1.control={" + port +
+                        std::to_string(firstPort()) + "}' --set 'robots.blue.2.control={" + port +
+                        std::to_string(firstPort() + 1) + "}'",
+                    freshFolder(name));
+  };
+  static const nlohmann::json alone = game("not_attacked");
+  std::vector<std::thread> attackers;
+  for (int i = 0; i < 2; ++i)
+    attackers.emplace_back([i] {
+      runCommand("python3 tests/player_api/hostile_client.py " + std::string(GetParam()) + " " +
+                 std::to_string(firstPort() + i) + " 2");
+    });
+  const nlohmann::json attacked = game("attacked");
+  for (std::thread& attacker : attackers) attacker.join();
+  ASSERT_TRUE(alone.contains("state_hash"));
+  EXPECT_EQ(attacked["state_hash"], alone["state_hash"]);
+  EXPECT_GT(attacked["control"]["programs"][0]["connections"].get<double>(), 0) << "nobody attacked";
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, HostileClients,
+                         ::testing::Values("silent", "never_reads", "one_byte_a_second", "four_gibibytes",
+                                           "random_bytes", "half_frames", "nan", "flood", "reconnects", "stopped"),
+                         [](const auto& kind) { return std::string(kind.param); });
+
 TEST(PlayerApi, ParametersStandInItsDocument) {
   ControlPrograms one;
   one.emplace("player_api", allPrograms().at("player_api"));
