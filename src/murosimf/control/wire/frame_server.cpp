@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <utility>
 
 #include "murosimf/control/wire/frame_parser.h"
@@ -14,6 +15,8 @@ namespace murosimf {
 
 namespace {
 
+// A client that is cut off may come again at once, and again: no port takes more than one in this time.
+constexpr std::chrono::milliseconds kBetweenClients{2};
 constexpr std::size_t kReadAtOnce = 64 * 1024;  // so that no client keeps the thread from the others [bytes]
 
 bool wouldBlock() { return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR; }
@@ -25,6 +28,10 @@ struct FrameServer::Listener {
   HostList allowed;
   FileDescriptor socket;
   std::shared_ptr<FrameChannel> channel;  // for the next client
+  std::chrono::steady_clock::time_point rests_until;
+
+  bool rests() const { return std::chrono::steady_clock::now() < rests_until; }
+  void rest() { rests_until = std::chrono::steady_clock::now() + kBetweenClients; }
 };
 
 /// One client: what has come but is no frame yet, and what is leaving.
@@ -170,17 +177,21 @@ void FrameServer::adoptListeners() {
 
 void FrameServer::waitForEvents() {
   std::vector<pollfd> polled{{wake_.number(), POLLIN, 0}};
+  bool rest = false;
   for (const auto& listener : listeners_) {
     if (listener->channel == nullptr) listener->channel = listener->port.free_channel();
-    polled.push_back({listener->socket.number(), static_cast<short>(listener->channel != nullptr ? POLLIN : 0), 0});
+    const bool takes = listener->channel != nullptr && !listener->rests();
+    rest = rest || (listener->channel != nullptr && !takes);
+    polled.push_back({listener->socket.number(), static_cast<short>(takes ? POLLIN : 0), 0});
   }
   for (const auto& connection : connections_) polled.push_back({connection->socket.number(), connection->events(), 0});
-  if (::poll(polled.data(), polled.size(), -1) < 0) return;
+  const int patience = rest ? static_cast<int>(kBetweenClients.count()) : -1;
+  if (::poll(polled.data(), polled.size(), patience) < 0) return;
   std::uint64_t count = 0;
   [[maybe_unused]] const ssize_t read = ::read(wake_.number(), &count, sizeof count);
   const std::size_t first = 1 + listeners_.size(), old = connections_.size();
   for (std::size_t i = 0; i < listeners_.size(); ++i) {
-    if ((polled[1 + i].revents & POLLIN) != 0) acceptClients(*listeners_[i]);
+    if ((polled[1 + i].revents & POLLIN) != 0) acceptClient(*listeners_[i]);
   }
   for (std::size_t i = 0; i < old; ++i) connections_[i]->serve(polled[first + i].revents);
   std::erase_if(connections_, [](const std::unique_ptr<Connection>& connection) {
@@ -189,22 +200,20 @@ void FrameServer::waitForEvents() {
   });
 }
 
-void FrameServer::acceptClients(Listener& listener) {
-  while (listener.channel != nullptr) {
-    AcceptedClient client = acceptTcp(listener.socket);
-    if (!client.socket.isOpen()) return;
-    if (!listener.allowed.allows(client.address)) {
-      ++refused_;
-      ::send(client.socket.number(), listener.port.refusal.data(), listener.port.refusal.size(), MSG_NOSIGNAL);
-      continue;
-    }
-    std::shared_ptr<FrameChannel> channel = std::exchange(listener.channel, nullptr);
-    channel->setWake([this] { wake(); });
-    connections_.push_back(std::make_unique<Connection>(std::move(client.socket), channel, listener.port.welcome));
-    channel->open();
-    connections_.back()->write();
-    listener.channel = listener.port.free_channel();
+void FrameServer::acceptClient(Listener& listener) {
+  AcceptedClient client = acceptTcp(listener.socket);
+  if (!client.socket.isOpen()) return;
+  listener.rest();
+  if (!listener.allowed.allows(client.address)) {
+    ++refused_;
+    ::send(client.socket.number(), listener.port.refusal.data(), listener.port.refusal.size(), MSG_NOSIGNAL);
+    return;
   }
+  std::shared_ptr<FrameChannel> channel = std::exchange(listener.channel, nullptr);
+  channel->setWake([this] { wake(); });
+  connections_.push_back(std::make_unique<Connection>(std::move(client.socket), channel, listener.port.welcome));
+  channel->open();
+  connections_.back()->write();
 }
 
 }  // namespace murosimf

@@ -49,7 +49,7 @@ class FrameServer {
   void serve();
   void adoptListeners();
   void waitForEvents();
-  void acceptClients(Listener& listener);
+  void acceptClient(Listener& listener);
 
   FileDescriptor wake_;
   std::mutex mutex_;  // of new_listeners_
