@@ -55,7 +55,7 @@ class Run {
   SampleReservoir frame_seconds_{100'000};  // wall time of frames, without the pacer's sleep
   double longest_frame_ = 0;                // [s]
   double start_time_ = 0;                   // simulated [s]
-  double wall_seconds_ = 0;  // of the frames
+  double wall_seconds_ = 0;                 // of the frames
   bool checkpoint_saved_ = false;
 };
 

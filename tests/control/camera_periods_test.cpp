@@ -14,8 +14,8 @@ std::vector<long> picturesOf(const std::vector<std::pair<long, double>>& wishes,
                              double own_period = 0.05, double phase = 0) {
   const ControlledWorld w({"robots.red.1"});
   std::vector<long> taken;
-  auto program = std::make_unique<Program>(
-      [&](Program& self, const client::SensorFrame& sensors, client::CommandFrame& commands) {
+  auto program =
+      std::make_unique<Program>([&](Program& self, const client::SensorFrame& sensors, client::CommandFrame& commands) {
         for (const auto& p : sensors.pictures) taken.push_back(std::lround(p.time * 1000));
         for (const auto& [step, period] : wishes)
           if (self.steps == step) commands.camera_periods[0] = period;

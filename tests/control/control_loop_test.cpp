@@ -275,8 +275,8 @@ TEST(ControlLoop, TimesThatMakeNoSenseAreRefused) {
 
 TEST(ControlLoop, AProgramThatCannotStartEndsTheGameBeforeItBegins) {
   const ControlledWorld w({"robots.red.1"});
-  auto program = std::make_unique<Program>([](Program&, auto&, auto&) {},
-                                           [] { throw client::CannotStart("the port is in use"); });
+  auto program =
+      std::make_unique<Program>([](Program&, auto&, auto&) {}, [] { throw client::CannotStart("the port is in use"); });
   ControlLoop loop(one(w.controlled(0, std::move(program))), *w.view, timing(0), kFrame);
   EXPECT_THROW(loop.start(), client::CannotStart);
 }

@@ -19,7 +19,8 @@ int firstPort() { return 20000 + static_cast<int>(getpid() % 20000); }
 
 const char* const kGame =
     "run scenarios/game_4v4.toml --set simulation.control_period=0.008 --set simulation.control_delay=0.008 "
-    "--set output.pictures=false --set robots.all.cameras.head.period=0.048 --set robots.all.cameras.chest.period=0.096 ";
+    "--set output.pictures=false --set robots.all.cameras.head.period=0.048 --set "
+    "robots.all.cameras.chest.period=0.096 ";
 
 nlohmann::json reportOf(const std::string& arguments, const std::string& folder) {
   const Outcome outcome = runProgram(kGame + arguments + " --out " + folder);
@@ -53,8 +54,8 @@ RemoteGame playRemotely(const std::string& arguments, const std::string& folder)
              ".control.port=" + std::to_string(port);
     threads.push_back(player(port, game.players[static_cast<std::size_t>(i)]));
   }
-  game.report = reportOf("--set 'robots.all.control={program=\"player_api\", patience=60.0}'" + ports + " " + arguments,
-                         folder);
+  game.report =
+      reportOf("--set 'robots.all.control={program=\"player_api\", patience=60.0}'" + ports + " " + arguments, folder);
   for (std::thread& thread : threads) thread.join();
   return game;
 }

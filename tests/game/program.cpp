@@ -23,9 +23,7 @@ Outcome runCommand(const std::string& command) {
   return outcome;
 }
 
-Outcome runProgram(const std::string& arguments) {
-  return runCommand(std::string(MUROSIMF_PROGRAM) + " " + arguments);
-}
+Outcome runProgram(const std::string& arguments) { return runCommand(std::string(MUROSIMF_PROGRAM) + " " + arguments); }
 
 std::string freshFolder(const std::string& name) {
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / ("murosimf_" + name);

@@ -34,10 +34,11 @@ ControlPrograms programs(const std::shared_ptr<Kept>& kept) {
                                       kept->numbers.push_back(robot.number * 10 + v.whole("rounds"));
                                       return std::make_unique<Idle>();
                                     })},
-          {"broken", ControlProgram({}, [](const ProgramValues&, const client::RobotDescription&)
-                                            -> std::unique_ptr<client::ControlSoftware> {
-             throw std::runtime_error("no licence");
-           })},
+          {"broken", ControlProgram({},
+                                    [](const ProgramValues&,
+                                       const client::RobotDescription&) -> std::unique_ptr<client::ControlSoftware> {
+                                      throw std::runtime_error("no licence");
+                                    })},
           {"idle", [] { return std::make_unique<Idle>(); }}};
 }
 
@@ -87,8 +88,10 @@ TEST(ControlPrograms, WhatAProgramThrowsWhenItIsMadeIsTold) {
 TEST(ControlPrograms, EachParameterStandsInTheTables) {
   const std::string tables = programsAsMarkdown(programs(std::make_shared<Kept>()));
   EXPECT_NE(tables.find("### `program = \"runner\"`"), std::string::npos) << tables;
-  EXPECT_NE(tables.find("| `speed` | a number from 0 to 2 m/s | m/s | `0.5` | how fast |"), std::string::npos) << tables;
-  EXPECT_NE(tables.find("| `hosts` | an array of texts |  | `[\"here\"]` | who may ask |"), std::string::npos) << tables;
+  EXPECT_NE(tables.find("| `speed` | a number from 0 to 2 m/s | m/s | `0.5` | how fast |"), std::string::npos)
+      << tables;
+  EXPECT_NE(tables.find("| `hosts` | an array of texts |  | `[\"here\"]` | who may ask |"), std::string::npos)
+      << tables;
   EXPECT_EQ(tables.find("idle"), std::string::npos) << "it has none";
 }
 

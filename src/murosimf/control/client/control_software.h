@@ -29,8 +29,8 @@ class ControlSoftware {
   virtual ~ControlSoftware() = default;
   /// Called once, before the first step.
   virtual void start(const RobotDescription& robot) = 0;
-  /// Called once, when all robots' programs have started: as CommandFrame::camera_periods, for the time before the first step's commands. All
-  /// are kCameraAsIs; nothing is changed unless told.
+  /// Called once, when all robots' programs have started: as CommandFrame::camera_periods, for the time before the
+  /// first step's commands. All are kCameraAsIs; nothing is changed unless told.
   virtual void startCameras(std::span<double> periods) { static_cast<void>(periods); }
   /// True of a program whose step waits for somebody outside: it gets a thread of its own.
   virtual bool waitsForOthers() const { return false; }

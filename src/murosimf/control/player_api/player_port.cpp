@@ -53,9 +53,7 @@ struct PlayerPort::Parts {
         reader(devices, motors, sensors) {}
 };
 
-int usualPort(const client::RobotDescription& robot) {
-  return (robot.team == "red" ? 10000 : 10020) + robot.number;
-}
+int usualPort(const client::RobotDescription& robot) { return (robot.team == "red" ? 10000 : 10020) + robot.number; }
 
 PlayerPort::PlayerPort(std::shared_ptr<FrameServer> server, const PlayerPortSettings& settings)
     : server_(std::move(server)),

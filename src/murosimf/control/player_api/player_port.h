@@ -28,7 +28,7 @@
 namespace murosimf::player_api {
 
 struct PlayerPortSettings {
-  std::string host = "127.0.0.1";  ///< address to listen on
+  std::string host = "127.0.0.1";                    ///< address to listen on
   int port = 0;                                      ///< 0: any free one
   std::vector<std::string> allowed = {"127.0.0.1"};  ///< hosts that clients may come from
   bool lock_step = false;
