@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -13,8 +14,8 @@
 namespace murosimf {
 namespace {
 
-std::string textOfKs21() {
-  std::ifstream stream(MUROSIMF_SOURCE_DIR "/robots/ks21.urdf", std::ios::binary);
+std::string textOf(const std::string& robot) {
+  std::ifstream stream(MUROSIMF_SOURCE_DIR "/robots/" + robot + ".urdf", std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
@@ -92,8 +93,36 @@ bool allFinite(const FlatTree& flat) {
   return true;
 }
 
-TEST(MutatedRobots, NeverCrashTheReaderAndAlwaysEndInARobotOrInErrors) {
-  const std::string whole = textOfKs21();
+/// Every device is a part that the robot has.
+bool devicesAreParts(const RobotModel& model) {
+  return std::all_of(model.devices.begin(), model.devices.end(), [&](const DeviceMount& device) {
+    const auto isOf = [&](const auto& parts) {
+      return device.part >= 0 && std::size(parts) > static_cast<std::size_t>(device.part);
+    };
+    switch (device.kind) {
+      case MountedDevice::kMotor:
+      case MountedDevice::kPositionSensor:
+        return isOf(model.tree.joints);
+      case MountedDevice::kImuAccelerometer:
+      case MountedDevice::kImuGyro:
+        return isOf(model.imus);
+      case MountedDevice::kCamera:
+        return isOf(model.cameras);
+      case MountedDevice::kForce:
+        return isOf(model.soles) && device.corner >= -1 && device.corner < 4;
+      case MountedDevice::kForce3d:
+        return isOf(model.force_sensors);
+      case MountedDevice::kBumper:
+        return isOf(model.touch_sensors);
+    }
+    return false;
+  });
+}
+
+class MutatedRobots : public testing::TestWithParam<const char*> {};
+
+TEST_P(MutatedRobots, NeverCrashTheReaderAndAlwaysEndInARobotOrInErrors) {
+  const std::string whole = textOf(GetParam());
   int robots = 0, refused = 0;
   for (std::uint64_t seed = 0; seed < 3000; ++seed) {
     Dice dice(seed);
@@ -104,12 +133,16 @@ TEST(MutatedRobots, NeverCrashTheReaderAndAlwaysEndInARobotOrInErrors) {
     const ReadResult model = readUrdfText(text, "damaged.urdf", diagnostics);
     ASSERT_EQ(model.has_value(), !diagnostics.hasErrors()) << "seed " << seed << "\n" << diagnostics.text();
     ASSERT_TRUE(!model || allFinite(flattenTree(model->tree))) << "seed " << seed;
+    ASSERT_TRUE(!model || devicesAreParts(*model)) << "seed " << seed;
     for (const Diagnostic& d : diagnostics.all()) ASSERT_GT(d.where.line, 0) << "seed " << seed << " " << d.message;
     ++(model ? robots : refused);
   }
   EXPECT_GT(robots, 300);    // the damage is not always fatal
   EXPECT_GT(refused, 1000);  // nor mostly harmless
 }
+
+INSTANTIATE_TEST_SUITE_P(Robots, MutatedRobots, testing::Values("ks21", "wolfgang"),
+                         [](const auto& made) { return std::string(made.param); });
 
 }  // namespace
 }  // namespace murosimf
