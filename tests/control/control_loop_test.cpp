@@ -273,6 +273,59 @@ TEST(ControlLoop, TimesThatMakeNoSenseAreRefused) {
   EXPECT_THROW(ControlLoop(std::move(robots), *w.view, timing(0), kFrame), std::invalid_argument);
 }
 
+/// Three robots with periods and delays of their own: what each saw, heard and commanded, as text.
+std::string playOwnPeriods(int threads) {
+  const ControlledWorld w({"robots.red.1", "robots.red.2", "robots.red.3"});
+  std::vector<std::string> said(3);
+  std::vector<ControlledRobot> robots;
+  for (std::size_t i = 0; i < 3; ++i) {
+    robots.push_back(w.controlled(i, [i, &said](Program& p, const auto& sensors, auto& commands) {
+      said[i] += fmt::format("{:.0f}:", 1000 * sensors.time);
+      for (const client::TeamMessage& m : sensors.team_messages)
+        said[i] += fmt::format("{}/{:.0f}", m.number, m.ball_x);
+      said[i] += fmt::format("@{} ", sensors.joints[0].position);
+      commands.message.number = static_cast<int>(i) + 1;
+      commands.message.ball_x = 1000 * sensors.time;
+      commands.joints[0] = reach(0.01 * static_cast<double>(p.steps + 1));
+    }));
+  }
+  robots[1].period = 8, robots[1].delay = 0;
+  robots[2].period = 25, robots[2].delay = 3;
+  ControlLoop loop(std::move(robots), *w.view, timing(10, threads), kFrame);
+  loop.start();
+  for (long frame = 0; frame < 50; ++frame) w.runFrame(loop, frame);
+  loop.finish();
+  return said[0] + "| " + said[1] + "| " + said[2];
+}
+
+TEST(ControlLoop, RobotsMayHavePeriodsAndDelaysOfTheirOwn) {
+  EXPECT_EQ(playOwnPeriods(1),
+            "10:@0 20:2/8@0 30:2/16@0.01 40:2/32@0.02 50:2/403/25@0.03 | "
+            "8:@0 16:@0.01 24:1/10@0.02 32:1/20@0.03 40:1/30@0.04 48:@0.05 | "
+            "25:1/102/16@0 50:1/402/40@0.01 ");
+}
+
+TEST(ControlLoop, OwnPeriodsGiveTheSameWhateverTheThreads) {
+  for (int run = 0; run < 20; ++run) EXPECT_EQ(playOwnPeriods(3), playOwnPeriods(1));
+}
+
+TEST(ControlLoop, APlacementIsToldToSlowProgramsToo) {
+  const ControlledWorld w({"robots.red.1"});
+  std::vector<bool> told;
+  auto robot = w.controlled(0, [&](Program&, const auto& sensors, auto&) { told.push_back(sensors.game.placed); });
+  robot.period = 30;
+  ControlLoop loop(one(std::move(robot)), *w.view, timing(0), kFrame);
+  loop.start();
+  for (long frame = 0; frame < 120; ++frame) {
+    client::GameInfo game;
+    game.placed = frame == 35;
+    if (frame % 5 == 0) loop.setGame(0, game);
+    w.runFrame(loop, frame);
+  }
+  loop.finish();
+  EXPECT_EQ(told, (std::vector<bool>{false, true, false, false}));
+}
+
 TEST(ControlLoop, AProgramThatCannotStartEndsTheGameBeforeItBegins) {
   const ControlledWorld w({"robots.red.1"});
   auto program =

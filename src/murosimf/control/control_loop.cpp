@@ -14,18 +14,33 @@ MountedCamera* ControlledRobot::camera(std::size_t i) const {
   return i < oracles.size() ? oracles[i].get() : nullptr;
 }
 
+namespace {
+
+void checkTiming(long period, long delay) {
+  if (period < 1 || delay < 0)
+    throw std::invalid_argument(
+        fmt::format("control period of {} frames, delay of {}; expected at least 1 and 0", period, delay));
+}
+
+/// Gives the robot the loop's period and delay where it has none of its own.
+void fillTiming(ControlledRobot& robot, const ControlTiming& timing) {
+  if (robot.period == 0) robot.period = timing.period;
+  if (robot.delay < 0) robot.delay = timing.delay;
+  checkTiming(robot.period, robot.delay);
+}
+
+}  // namespace
+
 ControlLoop::ControlLoop(std::vector<ControlledRobot> robots, const SceneView& view, const ControlTiming& timing,
                          double frame_length)
     : view_(view), timing_(timing), frame_length_(frame_length) {
-  if (timing.period < 1 || timing.delay < 0) {
-    throw std::invalid_argument(fmt::format("control period of {} frames, delay of {}; expected at least 1 and 0",
-                                            timing.period, timing.delay));
-  }
-  const int count = static_cast<int>(robots.size()), capacity = static_cast<int>(timing.delay / timing.period) + 2;
+  checkTiming(timing.period, timing.delay);
+  const int count = static_cast<int>(robots.size());
   int cameras = 0;
   bool moving = false;  // some camera's picture needs motions
   bool waiting = false;
   for (ControlledRobot& robot : robots) {
+    fillTiming(robot, timing);
     checkCameras(robot);
     waiting = waiting || (robot.program != nullptr && robot.program->waitsForOthers());
     for (std::size_t i = 0; i < robot.eyeCount(); ++i) {
@@ -34,7 +49,7 @@ ControlLoop::ControlLoop(std::vector<ControlledRobot> robots, const SceneView& v
       cameras += robot.program == nullptr ? 0 : 1;
       moving = moving || camera->needsMotion();
     }
-    robots_.push_back(std::make_unique<Runner>(robotCount(), count, capacity, std::move(robot)));
+    robots_.push_back(std::make_unique<Runner>(robotCount(), count, std::move(robot)));
     if (robots_.back()->controlled.program != nullptr) programmed_.push_back(robots_.back().get());
   }
   // A camera has at most one picture that waits for its program and one that is being rendered. Each has room for the
@@ -49,10 +64,10 @@ ControlLoop::~ControlLoop() { pool_->wait(); }
 void ControlLoop::checkCameras(const ControlledRobot& robot) const {
   for (std::size_t i = 0; i < robot.eyeCount(); ++i) {
     const MountedCamera* camera = robot.eye(i);
-    if (camera != nullptr && camera->period() < static_cast<double>(timing_.period)) {
+    if (camera != nullptr && camera->period() < static_cast<double>(robot.period)) {
       throw std::invalid_argument(fmt::format("{} takes a {} every {} frames; expected at least {}, the control period",
                                               camera->path(), i < robot.cameraCount() ? "picture" : "scan",
-                                              camera->period(), timing_.period));
+                                              camera->period(), robot.period));
     }
   }
 }
@@ -69,7 +84,11 @@ int ControlLoop::indexOf(ObjectId robot) const {
 }
 
 void ControlLoop::setGame(int robot, const client::GameInfo& game) {
-  robots_[static_cast<std::size_t>(robot)]->game = game;
+  client::GameInfo& told = robots_[static_cast<std::size_t>(robot)]->game;
+  const bool placed = told.placed && !game.placed;
+  const PlanarPose placed_at = told.placed_at;
+  told = game;
+  if (placed) told.placed = true, told.placed_at = placed_at;
 }
 
 const client::ControlReport* ControlLoop::report(int robot) const {
@@ -86,7 +105,7 @@ bool ControlLoop::isBusy(int robot) const { return robots_[static_cast<std::size
 void ControlLoop::applyCommands(long frame) {
   for (Runner* runner : programmed_) {
     // The frame in which an answer is due waits for it, unless the wall clock sets the pace.
-    const bool due = runner->answered && runner->asked + 1 + timing_.delay <= frame;
+    const bool due = runner->answered && runner->asked + 1 + runner->delay <= frame;
     if (due && runner->busy && !timing_.paced) pool_->wait();
     collect(*runner, frame);
     while (!runner->pending.empty() && runner->pending.front().due <= frame) {
@@ -103,7 +122,7 @@ void ControlLoop::setCameras(Runner& runner, const client::CommandFrame& command
     const double period = commands.camera_periods[i];
     MountedCamera* camera = runner.controlled.camera(i);
     if (camera == nullptr || !(period >= 0)) continue;
-    const double least = static_cast<double>(timing_.period) * frame_length_;
+    const double least = static_cast<double>(runner.period) * frame_length_;
     camera->lookEvery(period > 0 ? std::max(period, least) : 0, frame);
   }
 }
@@ -118,7 +137,7 @@ void ControlLoop::collect(Runner& runner, long next_frame) {
   if (runner.observer_fault != nullptr) std::rethrow_exception(std::exchange(runner.observer_fault, nullptr));
   runner.failed = runner.fault.has_value();
   if (runner.failed) return;  // half a step's commands are none
-  const long due = runner.asked + 1 + timing_.delay;
+  const long due = runner.asked + 1 + runner.delay;
   if (due < next_frame) ++runner.late_commands;
   runner.pending.push(runner.commands, due);
   runner.outbox = runner.commands.message;
@@ -137,25 +156,33 @@ void ControlLoop::takePictures(long frame) {
   }
 }
 
-void ControlLoop::deliverMessages() {
-  for (Runner* sender : programmed_) {
-    if (sender->outbox.number == 0) continue;
-    for (Runner* receiver : programmed_) {
-      const bool mates = sender != receiver && sender->team() == receiver->team();
-      if (mates) receiver->inbox[static_cast<std::size_t>(sender->index)] = sender->outbox;
-    }
-    sender->outbox.number = 0;
+void ControlLoop::deliverMessage(Runner& sender) {
+  if (sender.outbox.number == 0) return;
+  for (Runner* receiver : programmed_) {
+    const bool mates = &sender != receiver && sender.team() == receiver->team();
+    if (mates) receiver->inbox[static_cast<std::size_t>(sender.index)] = sender.outbox;
+  }
+  sender.outbox.number = 0;
+}
+
+void ControlLoop::findDue(long frame) {
+  due_.clear();
+  for (Runner* runner : programmed_) {
+    if ((frame + 1) % runner->period == 0) due_.push_back(runner);
   }
 }
 
 void ControlLoop::publish(long frame) {
   takePictures(frame);
-  if ((frame + 1) % timing_.period != 0) return;
+  findDue(frame);
+  if (due_.empty()) return;
   if (!timing_.paced) pool_->wait();
-  for (Runner* runner : programmed_) collect(*runner, frame + 1);
-  deliverMessages();
+  for (Runner* runner : due_) {
+    collect(*runner, frame + 1);
+    deliverMessage(*runner);
+  }
   orderPictures();
-  for (Runner* runner : programmed_) {
+  for (Runner* runner : due_) {
     if (!runner->runs()) continue;
     if (runner->answered) {
       ++runner->missed_frames;
@@ -167,7 +194,7 @@ void ControlLoop::publish(long frame) {
 
 /// All robots' before the first one begins to look: a maker may work on the pictures of several cameras together.
 void ControlLoop::orderPictures() {
-  for (Runner* runner : programmed_) {
+  for (Runner* runner : due_) {
     if (!runner->runs() || runner->answered) continue;
     std::swap(runner->exposures, runner->waiting);
     for (std::size_t i = 0; i < runner->exposures.size(); ++i) {
@@ -176,7 +203,7 @@ void ControlLoop::orderPictures() {
       runner->controlled.eye(i)->order(snapshots_->scene(exposure.snapshot), exposure.place, exposure.frame);
     }
   }
-  for (Runner* runner : programmed_) {
+  for (Runner* runner : due_) {
     if (!runner->runs() || runner->answered) continue;
     for (std::size_t i = 0; i < runner->exposures.size(); ++i)
       if (runner->exposures[i].snapshot != kNoSnapshot) runner->controlled.eye(i)->start();
@@ -186,6 +213,7 @@ void ControlLoop::orderPictures() {
 void ControlLoop::launch(Runner& runner, long frame) {
   runner.controlled.port.readSensors(static_cast<double>(frame + 1) * frame_length_, runner.sensors);
   runner.sensors.game = runner.game;
+  runner.game.placed = false;
   runner.messages.clear();
   for (client::TeamMessage& message : runner.inbox) {
     if (message.number != 0) runner.messages.push_back(message);

@@ -10,6 +10,7 @@
 ///   simulated clock   never earlier, never later: the frame waits for tasks that are not ready;
 ///   paced clock       late ones act late and are counted; a robot that is still busy misses its next sensor frame, and
 ///                     the newest of its pictures wait with it. The frame thread never waits.
+/// A robot may have a period and a delay of its own. A message goes out with its sender's next sensor frame.
 /// A program may choose how often its cameras take pictures (CommandFrame::camera_periods); what it chooses acts as its
 /// commands do. A program that waits for somebody outside (waitsForOthers) has a thread of its own on both clocks.
 /// Messages to team mates are delivered with the next sensor frame. No lock is held while a program runs.
@@ -39,6 +40,7 @@ struct ControlledRobot {
   std::vector<std::unique_ptr<OracleCamera>> oracles = {};  ///< as cameras, which is null where one stands here
   std::unique_ptr<PoseOracle> localisation = nullptr;       ///< null: nobody tells where robots stand
   std::vector<std::unique_ptr<RangeSensor>> ranges = {};    ///< in the order of the description
+  long period = 0, delay = -1;                              ///< of its program [frames]; 0 and -1: those of the loop
 
   std::size_t cameraCount() const { return std::max(cameras.size(), oracles.size()); }
   /// The camera with this number, whatever its level of detail; null: it is off.
@@ -61,7 +63,7 @@ class ControlObserver {
 };
 
 struct ControlTiming {
-  long period = 10, delay = 10;  ///< [frames]
+  long period = 10, delay = 10;  ///< of programs that have none of their own [frames]
   bool paced = false;
   int threads = 0;  ///< simulated clock; 0: as many as the machine has. Paced, and where a program waits for others,
                     ///< each robot has one of its own
@@ -128,7 +130,8 @@ class ControlLoop {
   void deliverSights(Runner& runner, std::size_t camera);
   void deliverScans(Runner& runner);
   void collect(Runner& runner, long next_frame);
-  void deliverMessages();
+  void deliverMessage(Runner& sender);
+  void findDue(long frame);
   void orderPictures();
   void launch(Runner& runner, long frame);
   void tellPoses(Runner& runner, long frame);
@@ -138,6 +141,7 @@ class ControlLoop {
 
   std::unique_ptr<SnapshotShelf> snapshots_;  // ends behind the cameras, which may still look at it
   std::vector<std::unique_ptr<Runner>> robots_;
+  std::vector<Runner*> due_;         // those whose control period ends in this frame
   std::vector<Runner*> programmed_;  // those with a program: of a thousand robots without one none is looked at
   const SceneView& view_;
   ControlTiming timing_;

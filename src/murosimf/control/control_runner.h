@@ -26,7 +26,8 @@ struct Exposure {
 /// One robot with everything that its task touches. While `busy`, what stands in the second part is the task's.
 struct ControlLoop::Runner {
   int index = 0;
-  client::GameInfo game;
+  long period = 0, delay = 0;              // [frames]
+  client::GameInfo game;                   // placed stays true until a sensor frame has told it
   std::vector<client::TeamMessage> inbox;  // one place a robot: the last message since the last sensor frame; none
                                            // without a program: a thousand robots' would be a million
   client::TeamMessage outbox;              // of the last answer, until it is delivered
@@ -52,11 +53,14 @@ struct ControlLoop::Runner {
   std::exception_ptr observer_fault;
   ControlCounts counts;
 
-  Runner(int i, int robots, int capacity, ControlledRobot robot)
+  /// @param robot  with its period and delay
+  Runner(int i, int robots, ControlledRobot robot)
       : index(i),
+        period(robot.period),
+        delay(robot.delay),
         inbox(static_cast<std::size_t>(robot.program == nullptr ? 0 : robots)),
         waiting(robot.eyeCount()),
-        pending(capacity, robot.port.emptyCommands()),
+        pending(static_cast<int>(delay / period) + 2, robot.port.emptyCommands()),
         controlled(std::move(robot)),
         exposures(waiting.size()),
         things(waiting.size()),

@@ -30,7 +30,7 @@ void WorldBuilder::chooseCameras(Outfit& outfit) {
   reportUnknownCameras(*outfit.robot, *outfit.model, diagnostics_);
   for (const CameraMount& mount : outfit.model->cameras) {
     outfit.cameras.push_back(
-        cameraChoice(*outfit.robot, mount, *scene_.simulation.control_period, makers_, diagnostics_));
+        cameraChoice(*outfit.robot, mount, controlPeriod(scene_, *outfit.robot), makers_, diagnostics_));
     const ObjectId camera = world_->find(world_->path(outfit.id) + "." + mount.name);
     const CameraChoice& choice = outfit.cameras.back();
     outfit.rays.push_back(choice.on && !choice.oracle ? raysOf(mount, camera) : nullptr);
@@ -160,7 +160,9 @@ void WorldBuilder::attachControl(Simulation& simulation) const {
         ControlledRobot{RobotPort(simulation.linked(), outfit.id, describe(*outfit.robot)), {}, nullptr});
     addCameras(outfit, simulation.view(), robot);
     addRangeSensors(outfit, simulation.view(), robot);
-    robot.localisation = makeLocalisation(outfit, timing.period);
+    robot.period = std::lround(controlPeriod(scene_, *outfit.robot) / frame);
+    robot.delay = std::lround(controlDelay(scene_, *outfit.robot) / frame);
+    robot.localisation = makeLocalisation(outfit, robot.period);
     robot.program = makeProgram(outfit);
   }
   simulation.setControl(std::make_unique<ControlLoop>(std::move(controlled), simulation.view(), timing, frame));

@@ -92,7 +92,7 @@ class RobotReader {
     if (choice.module.given() && choice.module->empty())
       problems_.error(choice.module.where, fmt::format("{} is empty, expected a name", name_key));
     reader.read("period", choice.period);
-    reader.read("phase", choice.phase);
+    if (section == "MODULE") reader.read("phase", choice.phase);
     for (const TextNode& child : node.children) {
       if (child.key == name_key || child.key == "period" || child.key == "phase") continue;
       if (auto value = readSceneValue(child, printable(child.key), problems_))
@@ -152,15 +152,20 @@ class RobotReader {
     robot.control.module.value = "none";
     const TextNode* node = reader_.child("control");
     if (node == nullptr) return;
-    for (const char* key : {"period", "phase"})
-      if (const TextNode* time = node->find(key))
-        problems_.error(time->key_where,
-                        fmt::format("unknown key \"{}\" in control, expected simulation.control_period "
-                                    "and control_delay, which hold for all robots",
-                                    key));
+    if (const TextNode* phase = node->find("phase"))
+      problems_.error(phase->key_where,
+                      "unknown key \"phase\" in control, expected period or delay: all control "
+                      "software takes its first step a period after the start");
     if (!readChoice(robot.control, *node, "CONTROL", "program")) return;
+    readDelay(robot, *node);
     if (isRobot() && node->find("program") == nullptr)
       problems_.error(node->where, "control names no program, expected program = \"player\" or \"none\"");
+  }
+
+  /// The delay of control is ours, not a parameter of its program.
+  void readDelay(RobotSettings& robot, const TextNode& node) {
+    TableReader(&node, "CONTROL", problems_).read("delay", robot.control_delay);
+    std::erase_if(robot.control.parameters, [](const NamedValue& value) { return value.name == "delay"; });
   }
 
   void readProperties(RobotSettings& robot) {

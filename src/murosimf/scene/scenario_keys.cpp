@@ -158,6 +158,11 @@ constexpr ScenarioKey kKeys[] = {
     from("MODULE", "phase", "s", 0, 10, "0.0", "first update after the start"),
     plainKey("CONTROL", "program", kText, "",
              "`player`, `trotter`, `cart`, `player_api` or `none`; what else may stand here is the program's"),
+    above("CONTROL", "period", "s", 0, 1, "",
+          "between two of its steps: whole frames; default: simulation.control_period"),
+    from("CONTROL", "delay", "s", 0, 1, "",
+         "after which its commands act: whole frames; default: "
+         "simulation.control_delay"),
     plainKey("FOCUS", "motion", kText, "\"multibody_dynamics\"", "module that moves the robot there"),
     from("FOCUS", "ball", "m", 0, 100, "1.0",
          "distance from the ball within which it does; 0: the ball does not count"),

@@ -148,7 +148,13 @@ class ScenarioReader {
     std::stable_sort(scene_.robots.begin(), scene_.robots.end(), [](const RobotSettings& a, const RobotSettings& b) {
       return a.team == b.team ? a.number < b.number : a.team == "red" && b.team == "blue";
     });
+    for (const RobotSettings& robot : scene_.robots) checkControlTimes(robot);
     warnOfCrowds();
+  }
+
+  void checkControlTimes(const RobotSettings& robot) {
+    if (robot.control.period.given()) checkWholeFrames("period", robot.control.period);
+    if (robot.control_delay.given()) checkWholeFrames("delay", robot.control_delay);
   }
 
   void readRobotsOf(const std::string& team, const TextNode* table) {

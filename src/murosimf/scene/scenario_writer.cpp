@@ -163,6 +163,7 @@ void writeRobot(ScenarioWriter& out, const RobotSettings& r) {
   if (r.kickoff_own) out.value("kickoff_own", *r.kickoff_own);
   if (r.kickoff_other) out.value("kickoff_other", *r.kickoff_other);
   out.choice(r.path() + ".control", "program", r.control);
+  if (r.control_delay.given()) out.value("delay", r.control_delay);
   for (const ModuleChoice& m : r.modules) {
     const std::string prefix = "modules.";
     const bool extra = m.slot.starts_with(prefix);

@@ -7,6 +7,14 @@
 
 namespace murosimf {
 
+double controlPeriod(const Scene& scene, const RobotSettings& robot) {
+  return robot.control.period.given() ? *robot.control.period : *scene.simulation.control_period;
+}
+
+double controlDelay(const Scene& scene, const RobotSettings& robot) {
+  return robot.control_delay.given() ? *robot.control_delay : *scene.simulation.control_delay;
+}
+
 client::FieldDescription fieldDescription(const Scene& scene) {
   const FieldSettings& field = scene.field;
   client::FieldDescription d;

@@ -121,7 +121,8 @@ struct RobotSettings {
   std::vector<ModuleChoice> cameras;  ///< only cameras that the scenario names, by name
   ModuleChoice localisation;          ///< module empty: the level's
   std::optional<FocusSettings> focus;
-  ModuleChoice control;                                           ///< module "none": no control software
+  ModuleChoice control;                                           ///< module "none": no control software; period
+  Located<double> control_delay;                                  ///< [s]; not given: the simulation's, as the period
   std::vector<NamedValue> properties;                             ///< name: object path and property, "trunk.mass"
   std::optional<Located<PlanarPose>> kickoff_own, kickoff_other;  ///< X_WB; absent: the referee's own choice
 
@@ -191,6 +192,9 @@ struct Scene {
   OutputSettings output;
 };
 
+/// Of a robot's control software, its own or that of all [s].
+double controlPeriod(const Scene& scene, const RobotSettings& robot);
+double controlDelay(const Scene& scene, const RobotSettings& robot);
 /// What both teams measure before the game.
 client::FieldDescription fieldDescription(const Scene& scene);
 /// What a team is told of the course.

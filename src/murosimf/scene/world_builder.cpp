@@ -293,7 +293,7 @@ client::RobotDescription WorldBuilder::describe(const RobotSettings& robot) cons
   }
   for (const CameraMount& camera : model.cameras) {
     Diagnostics told_already;
-    const CameraChoice choice = cameraChoice(robot, camera, *scene_.simulation.control_period, makers_, told_already);
+    const CameraChoice choice = cameraChoice(robot, camera, controlPeriod(scene_, robot), makers_, told_already);
     const ObjectId id = world_->find(robot.path() + "." + camera.name);
     d.cameras.push_back(describeCamera(camera, *world_->find(id, kCameraModel), model, choice.settings.period));
   }
@@ -310,7 +310,7 @@ client::RobotDescription WorldBuilder::describe(const RobotSettings& robot) cons
   const bool attacks_plus = *(robot.team == "red" ? scene_.red : scene_.blue).attacks_positive_x;
   d.course = courseDescription(scene_, attacks_plus);
   describeGoals(scene_, attacks_plus, d);
-  d.control_period = *scene_.simulation.control_period;
+  d.control_period = controlPeriod(scene_, robot);
   d.paced = *scene_.simulation.pace > 0;
   d.seed = *scene_.simulation.seed;
   return d;
