@@ -1,7 +1,6 @@
 // Robots of other teams: their joints move as the published ones, their devices bear the published names.
 //
-// Figures are those of github.com/RoboCup-Humanoid-TC/hlvs_webots, protos/robots (Darwin-opHinge2Robocup.proto,
-// Wolfgang.proto, NUgusMain.proto), written out here once more.
+// Figures are those of github.com/RoboCup-Humanoid-TC/hlvs_webots, protos/robots, written out here once more.
 
 #include <gtest/gtest.h>
 
@@ -13,6 +12,7 @@
 
 #include "murosimf/algorithms/collision/detect_contact.h"
 #include "murosimf/robot/urdf_reader.h"
+#include "robot/published_guests.h"
 
 namespace murosimf {
 namespace {
@@ -40,108 +40,60 @@ std::size_t jointOf(const RobotModel& model, const std::string& motor) {
   return static_cast<std::size_t>(device->part);
 }
 
-/// A hinge as it is published: axis and anchor in the parent's frame, and the child's frame in it at `position`.
-struct PublishedHinge {
-  const char* motor;
-  Vector3 axis, anchor;
-  double position;
-  Vector3 translation, turn_about;
-  double angle;
-  Pose at(double q) const {
-    const Pose drawn{rotationExp(turn_about * (angle / norm(turn_about))), translation};
-    const Pose turned{rotationExp(axis * (q - position)), anchor};
-    return turned * Pose{Rotation3{}, Vector3{} - anchor} * drawn;
-  }
-};
-struct Limb {
-  const char* robot;
-  std::vector<PublishedHinge> hinges;
-};
-const std::vector<Limb> kLimbs{
-    {"darwin_op",
-     {{"Neck", {0, 0, 1}, {0, 0, 0.051}, 0, {0, 0, 0.051}, {0.5774, 0.5773, 0.5773}, 2.0944},
-      {"Head", {-1, 0, 0}, {0, 0, 0}, 0.19, {0, 0, 0}, {-1, 0, 0}, -0.5954}}},
-    {"darwin_op",
-     {{"ShoulderR[shoulder]", {0, -1, 0}, {0, -0.082, 0}, -0.84, {0, -0.082, 0}, {0.6826, 0.6826, 0.2611}, 2.6307},
-      {"ArmUpperR", {0, 0, -1}, {0, -0.016, 0}, -0.33, {0, -0.016, 0}, {0, 0, -1}, 0.4554},
-      {"ArmLowerR", {-1, 0, 0}, {0, -0.06, 0.016}, 0.51, {0, -0.06, 0.016}, {-1, 0, 0}, 2.0808}}},
-    {"wolfgang",
-     {{"LHipYaw", {0, 0, -1}, {0, 0.055, 0}, 0, {0, 0.055, 0}, {-1, 0, 0}, 1.5708},
-      {"LHipRoll [hip]", {1, 0, 0}, {-0.046, 0.0414, 0}, 0, {-0.046, 0.0414, 0}, {0.707105, 0, -0.707108}, 3.141591},
-      {"LHipPitch", {1, 0, 0}, {0.026, 0, -0.0691}, -0.12, {0.026, 0, -0.0691}, {0.05986, 0.99641, -0.05986}, -1.5744},
-      {"LKnee",
-       {0, 0, 1},
-       {0.004356, -0.168793, 0.049},
-       0,
-       {0.004356, -0.168793, 0.049},
-       {0.092693, 0.704064, 0.704061},
-       2.956736},
-      {"LAnklePitch", {0, 1, 0}, {0, -0.0505, -0.17}, 0.12, {0, -0.0505, -0.17}, {0.04244, -0.70647, 0.70647}, 3.05676},
-      {"LAnkleRoll", {1, 0, 0}, {0.0691, 0, -0.026}, 0, {0.0691, 0, -0.026}, {0.57735, -0.57735, 0.577352}, 2.094399}}},
-    {"wolfgang",
-     {{"RShoulderPitch [shoulder]",
-       {0, -1, 0},
-       {-0.0015, -0.0765, 0.2035},
-       0,
-       {-0.0015, -0.0765, 0.2035},
-       {0, 0, -1},
-       3.14159},
-      {"RShoulderRoll",
-       {1, 0, 0},
-       {-0.01695, 0.042, 0},
-       0,
-       {-0.01695, 0.042, 0},
-       {0.57735, -0.577352, -0.57735},
-       2.094399},
-      {"RElbow",
-       {1, 0, 0},
-       {0.024, -0.144, -0.0235},
-       0,
-       {0.024, -0.144, -0.0235},
-       {-0.57735, 0.577352, -0.57735},
-       2.094399}}},
-    {"wolfgang",
-     {{"HeadPan", {0, 0, 1}, {-0.0095, 0, 0.2345}, 0, {-0.0095, 0, 0.2345}, {-1, 0, 0}, 3.14159},
-      {"HeadTilt", {0, 1, 0}, {0.036, 0.0235, -0.024}, 0, {0.036, 0.0235, -0.024}, {-1, 0, 0}, 1.5708}}},
-    {"nugus",
-     {{"right_hip_yaw", {0, 0, 1}, {0, -0.055, 0}, 0, {0, -0.055, 0}, {0, 0, 1}, 1.57079},
-      {"right_hip_roll [hip]", {0, -1, 0}, {0, 0, -0.06}, 0, {0, 0, -0.055}, {0, 1, 0}, 0},
-      {"right_hip_pitch", {1, 0, 0}, {0, -0.01, 0.01}, 0, {0, -0.01, 0.005}, {-1, 0, 0}, 0.05},
-      {"right_knee_pitch", {1, 0, 0}, {0, 0.00999, -0.19975}, 0, {0, 0, -0.2}, {1, 0, 0}, 0.05},
-      {"right_ankle_pitch", {1, 0, 0}, {0, 0.01, -0.2}, 0, {0, 0.01, -0.2}, {0, -1, 0}, 3.141593},
-      {"right_ankle_roll", {0, -1, 0}, {0, 0.04, 0}, 0, {0, 0.04, 0}, {0, 1, 0}, 3.141593}}},
-    {"nugus",
-     {{"left_shoulder_pitch [shoulder]",
-       {0, 1, 0},
-       {0.005, 0.115, 0.18},
-       0,
-       {0.005, 0.115, 0.18},
-       {-0.577351, -0.577348, 0.577351},
-       2.094388},
-      {"left_shoulder_roll", {0, -1, 0}, {0.015, 0, 0.005}, 0, {0.015, 0, 0.005}, {1, 0, 0}, 1.57079},
-      {"left_elbow_pitch", {1, 0, 0}, {-0.01, -0.19, 0.03999}, 0, {-0.01, -0.19, 0.03999}, {0, 1, 0}, 0}}}};
-
 TEST(Guests, JointsStandAndTurnWhereThePublishedOnesDoForTheSameCommands) {
-  for (const Limb& limb : kLimbs) {
+  for (const published::Limb& limb : published::kLimbs) {
     const RobotModel& model = guest(limb.robot);
     for (const double step : {0.0, 0.3, -0.8}) {
       std::vector<double> q(model.tree.joints.size(), 0.0);
       double command = step;
-      for (const PublishedHinge& hinge : limb.hinges) q[jointOf(model, hinge.motor)] = command, command *= -0.7;
+      for (const published::Hinge& hinge : limb.hinges) q[jointOf(model, hinge.motor)] = command, command *= -0.7;
       const std::vector<Pose> elements = elementPoses(model.tree, q);
-      Pose published;
-      for (const PublishedHinge& hinge : limb.hinges) {
+      Pose parent;
+      for (const published::Hinge& hinge : limb.hinges) {
         const Joint& joint = model.tree.joints[jointOf(model, hinge.motor)];
         const Pose& here = elements[static_cast<std::size_t>(joint.element)];
-        EXPECT_LT(norm(here.translation - published * hinge.anchor), 2e-4) << hinge.motor << " at " << step;
-        EXPECT_LT(norm(here.rotation * joint.axis - published.rotation * hinge.axis), 1e-3) << hinge.motor;
-        published = published * hinge.at(q[jointOf(model, hinge.motor)]);
+        EXPECT_LT(norm(here.translation - parent * hinge.anchor), 2e-4) << hinge.motor << " at " << step;
+        EXPECT_LT(norm(here.rotation * joint.axis - parent.rotation * hinge.axis), 1e-3) << hinge.motor;
+        parent = parent * hinge.at(q[jointOf(model, hinge.motor)]);
       }
     }
   }
 }
 
-/// Middle of the sole of one side on the base, legs bent so that the thigh leans forward by `bend` and the shank back.
+/// The first body that a joint turns, on the base.
+MassProperties massOnBase(const RobotModel& model, std::size_t joint, const std::vector<Pose>& elements) {
+  for (const Body& body : model.tree.bodies) {
+    if (body.joint != static_cast<int>(joint)) continue;
+    return moved(elements[static_cast<std::size_t>(body.element)], body.mass);
+  }
+  return {};
+}
+
+TEST(Guests, BodiesWeighAndSpreadTheirMassAsThePublishedOnesDo) {
+  int bodies = 0;
+  for (const published::Limb& limb : published::kLimbs) {
+    const RobotModel& model = guest(limb.robot);
+    const std::vector<Pose> elements = elementPoses(model.tree, std::vector<double>(model.tree.joints.size(), 0.0));
+    Pose X_BaseBody;
+    for (const published::Hinge& hinge : limb.hinges) {
+      X_BaseBody = X_BaseBody * hinge.at(0);
+      if (hinge.mass == 0) continue;
+      ++bodies;
+      const MassProperties expected = moved(X_BaseBody, hinge.bodyMass());
+      const MassProperties ours = massOnBase(model, jointOf(model, hinge.motor), elements);
+      EXPECT_NEAR(ours.mass, expected.mass, 1e-6) << hinge.motor;
+      EXPECT_LT(norm(ours.p_BC_B - expected.p_BC_B), 2e-4) << hinge.motor;
+      const SymmetricMatrix &I = ours.I_C_B, &J = expected.I_C_B;
+      const double trace = J.xx + J.yy + J.zz;
+      for (const auto& [a, b] :
+           {std::pair{I.xx, J.xx}, {I.yy, J.yy}, {I.zz, J.zz}, {I.xy, J.xy}, {I.xz, J.xz}, {I.yz, J.yz}})
+        EXPECT_NEAR(a, b, 2e-3 * trace) << hinge.motor;
+    }
+  }
+  EXPECT_EQ(bodies, 24);
+}
+
+/// Middle of the sole of one side on the base, in the posture of these commands.
 Vector3 soleOf(const RobotModel& model, Side side, const std::map<std::string, double>& commands) {
   std::vector<double> q(model.tree.joints.size(), 0.0);
   for (const auto& [motor, command] : commands) q[jointOf(model, motor)] = command;
