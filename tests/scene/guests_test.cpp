@@ -1,5 +1,6 @@
 // Robots of other teams stand at every level of detail when their servos hold a posture, and tell what they feel.
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -43,6 +44,33 @@ class Hold final : public client::ControlSoftware {
   client::ControlReport report_;
 };
 
+/// Holds all joints but the head's first, which it turns from one side to the other, and keeps its largest rate.
+class ShakeHead final : public client::ControlSoftware {
+ public:
+  explicit ShakeHead(std::shared_ptr<double> fastest) : fastest_(std::move(fastest)) {}
+  void start(const client::RobotDescription& robot) override {
+    while (robot.joints[head_].name != "head_pan") ++head_;
+    side_ = 0.9 * std::min(robot.joints[head_].upper, 2.5);
+  }
+  void step(const client::SensorFrame& sensors, client::CommandFrame& commands) override {
+    if (held_.empty()) {
+      for (const client::JointReading& joint : sensors.joints) held_.push_back(joint.position);
+    }
+    held_[head_] = sensors.time < 2 ? -side_ : side_;
+    for (std::size_t i = 0; i < held_.size(); ++i) commands.joints[i] = {held_[i], 0, 0, 1, 0};
+    if (sensors.time > 1.9) *fastest_ = std::max(*fastest_, sensors.joints[head_].velocity);
+  }
+  const client::ControlReport& report() const override { return report_; }
+  void archive(StateArchive&) override {}
+
+ private:
+  std::shared_ptr<double> fastest_;
+  std::size_t head_ = 0;
+  double side_ = 0;
+  std::vector<double> held_;
+  client::ControlReport report_;
+};
+
 std::string alone(const std::string& robot, const std::string& level, const std::string& more = "") {
   std::string text = fmt::format(
       "[referee]\nenabled = false\n[ball]\npresent = false\n[robots.red.1]\nfile = \"robots/{}.urdf\"\n"
@@ -57,8 +85,8 @@ std::string alone(const std::string& robot, const std::string& level, const std:
 /// A robot that holds its posture.
 struct Standing {
   explicit Standing(const std::string& text) : built(text) {
-    const std::shared_ptr<Heard> shared = heard;
-    const ControlPrograms programs{{"hold", [shared] { return std::make_unique<Hold>(shared); }}};
+    const ControlPrograms programs{{"hold", [shared = heard] { return std::make_unique<Hold>(shared); }},
+                                   {"shake", [shared = fastest] { return std::make_unique<ShakeHead>(shared); }}};
     simulation = built.builder.link(allModules(), programs);
     EXPECT_EQ(built.diagnostics.text(), "");
   }
@@ -67,6 +95,7 @@ struct Standing {
   }
   Pose base() { return simulation->linked().handle(simulation->world().find("robots.red.1"), kBasePose).get(); }
   std::shared_ptr<Heard> heard = std::make_shared<Heard>();
+  std::shared_ptr<double> fastest = std::make_shared<double>(0.0);
   BuiltWorld built;
   std::unique_ptr<Simulation> simulation;
 };
@@ -98,6 +127,18 @@ TEST(GuestRobots, StandOnServosThatRubAtTheirLimitsToo) {
     Standing standing(alone(robot, "full", "modules = {joint_limits = {}, joint_friction = {}}\n"));
     standing.run(5);
     EXPECT_GT(standing.base().rotation.z.z, 0.995) << robot;
+  }
+}
+
+TEST(GuestRobots, TurnTheirHeadsAsFastAsThePublishedServosWhenTheyRub) {
+  const std::vector<std::pair<const char*, double>> published{{"darwin_op", 5.24}, {"wolfgang", 8.17}, {"nugus", 8.17}};
+  for (const auto& [robot, speed] : published) {
+    std::string text = alone(robot, "full", "modules = {joint_friction = {}}\n");
+    text.replace(text.find("\"hold\""), 6, "\"shake\"");
+    Standing shaking(text);
+    shaking.run(4);
+    EXPECT_GT(*shaking.fastest, 0.97 * speed) << robot;
+    EXPECT_LT(*shaking.fastest, 1.07 * speed) << robot;
   }
 }
 
