@@ -134,6 +134,16 @@ TEST(Sensors, ASensorThatTheLevelLacksIsNamedWithItsPlace) {
       << said[0];
 }
 
+TEST(Sensors, ErrorsOfWhatTheRobotHasNoneOfAreRefused) {
+  const std::vector<std::string> said =
+      BuiltWorld(robot("modules.force_errors = {noise = 1}\nlevel = \"full\"\n")).complaints();
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_EQ(
+      said[0],
+      "8:9: robots.red.1: module force_errors: the robot has no force sensors; expected some whose readings could "
+      "have errors");
+}
+
 TEST(Sensors, WrongNumbersOfErrorsAreNamedWithTheirPlace) {
   const auto said = [](const std::string& errors) {
     return BuiltWorld(robot("modules.gyroscope_errors = " + errors + "\n")).complaints().at(0);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -45,6 +46,13 @@ SensorErrors::SensorErrors(const ParameterValues& values, bool on_off)
 
 int SensorErrors::places(double period) const {
   return period > 0 ? 1 + static_cast<int>(std::lround(delay_ / period)) : 1;
+}
+
+void SensorErrors::refuseNone(int objects, std::string_view subset_name) {
+  if (objects > 0) return;
+  std::string what(subset_name);
+  std::replace(what.begin(), what.end(), '_', ' ');
+  throw std::invalid_argument(fmt::format("the robot has no {}; expected some whose readings could have errors", what));
 }
 
 void SensorErrors::finish(const Links& links, std::string_view name, int numbers) {

@@ -43,6 +43,8 @@ class SensorErrors : public BlockModule {
   SensorErrors(const ParameterValues& values, bool on_off);
   /// Values of one number that are kept: as many as are on their way, and the newest.
   int places(double period) const;
+  /// @throws std::invalid_argument when there are no objects that could have errors
+  static void refuseNone(int objects, std::string_view subset_name);
   void finish(const Links& links, std::string_view name, int numbers);
   SensorErrorsArguments arguments_;
 
@@ -88,6 +90,7 @@ class ErrorsOf final : public SensorErrors {
     arguments_.samples = links.column(kWords.samples, kWords.of);
     arguments_.started = links.column(kWords.started);
     constexpr int kNumbers = static_cast<int>(sizeof(Value) / sizeof(double));
+    refuseNone(links.count(kWords.of), kWords.of);
     finish(links, kWords.name, links.count(kWords.of) * kNumbers);
   }
 };
