@@ -3,7 +3,7 @@
 # vision; the control software itself sees neither), every other folder (tests/game, tests/experiment, ...) with everything.
 # tests/modules and tests/simulation move the robots of robots/ by the reference gait, so they see scene/ and the control
 # software too; so does tests/render, which is left out with the window (cmake/libraries.cmake), and tests/peers, which compares with other simulators and is left out where these are missing
-# (cmake/peers.cmake). Files *_v4.cpp are compiled for AVX-512 and must include nothing but math/ and plain declarations.
+# (cmake/peers.cmake). tests/servo_bus sees scene/ as well, for a whole simulation behind its terminal. Files *_v4.cpp are compiled for AVX-512 and must include nothing but math/ and plain declarations.
 # Files *_slow.cpp make test_<folder>_slow, labelled `slow`: `make check-all` runs them, `make test` does not. Of these,
 # fcl_*.cpp ask the library FCL, opencv_*.cpp OpenCV; they are left out where it is missing (cmake/peers.cmake). Tests run in the source tree's
 # root; MUROSIMF_SOURCE_DIR is that root.
@@ -34,6 +34,8 @@ function(murosimf_test name folder)
     target_link_libraries(${name} PRIVATE murosimf_scene murosimf_controllers)
   elseif(folder STREQUAL "fuzz")
     target_link_libraries(${name} PRIVATE murosimf_player_api)
+  elseif(folder STREQUAL "servo_bus")
+    target_link_libraries(${name} PRIVATE murosimf_servo_bus murosimf_scene)
   elseif(folder STREQUAL "render")
     target_link_libraries(${name} PRIVATE murosimf_gl murosimf_playing)
   elseif(TARGET murosimf_${folder} AND NOT folder STREQUAL "experiment")
