@@ -2,6 +2,7 @@
 
 #include "all_controllers.h"
 #include "game/player_api_program.h"
+#include "game/servo_bus_program.h"
 #include "murosimf/modules/camera/gl/gl_picture_maker.h"
 #include "murosimf/scene/field_texture.h"
 #include "murosimf/soccer/field.h"
@@ -13,6 +14,7 @@ ControlPrograms allPrograms() {
   ControlPrograms all;
   for (const auto& [name, make] : controllers::allControllers()) all.emplace(name, ControlProgram(make));
   all.emplace("player_api", playerApiProgram());
+  all.emplace("servo_bus", servoBusProgram());
   return all;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "murosimf/control/game_controller/packets.h"
 #include "murosimf/control/player_api/request_reader.h"
 #include "murosimf/control/wire/frame_parser.h"
 #include "murosimf/control/wire/s_expression.h"
@@ -65,11 +66,24 @@ void readRequests(std::span<const std::uint8_t> bytes) {
   }
 }
 
+/// What can be read of a game controller's packet is written as the same bytes again, but for what we do not keep.
+void readGamePackets(std::span<const std::uint8_t> bytes) {
+  using namespace game_controller;
+  std::string problem;
+  if (const auto control = decodeControl(bytes, problem)) {
+    const Bytes again = encodeControl(control->game, control->format);
+    const auto twice = decodeControl(again, problem);
+    require(twice.has_value() && twice->game == control->game);
+  }
+  if (const auto status = decodeStatus(bytes, problem)) require(std::isfinite(status->x));
+  static_cast<void>(decodeMessage(bytes, problem));
+}
+
 }  // namespace
 
 const std::vector<Target>& allTargets() {
   static const std::vector<Target> targets{
-      {"frames", parseFrames}, {"s_expressions", readExpressions}, {"player_requests", readRequests}};
+      {"frames", parseFrames}, {"s_expressions", readExpressions}, {"player_requests", readRequests}, {"game_packets", readGamePackets}};
   return targets;
 }
 
