@@ -82,8 +82,10 @@ void readGamePackets(std::span<const std::uint8_t> bytes) {
 }  // namespace
 
 const std::vector<Target>& allTargets() {
-  static const std::vector<Target> targets{
-      {"frames", parseFrames}, {"s_expressions", readExpressions}, {"player_requests", readRequests}, {"game_packets", readGamePackets}};
+  static const std::vector<Target> targets{{"frames", parseFrames},
+                                           {"s_expressions", readExpressions},
+                                           {"player_requests", readRequests},
+                                           {"game_packets", readGamePackets}};
   return targets;
 }
 

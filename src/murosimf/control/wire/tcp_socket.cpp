@@ -2,46 +2,17 @@
 
 #include <arpa/inet.h>
 #include <fcntl.h>
-#include <netdb.h>
-#include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <poll.h>
-#include <sys/socket.h>
 
 #include <algorithm>
 #include <array>
-#include <cstring>
-#include <stdexcept>
+
+#include "murosimf/control/wire/internet_address.h"
 
 namespace murosimf {
 
 namespace {
-
-std::uint32_t lookUp(const std::string& host) {
-  addrinfo wanted{}, *found = nullptr;
-  wanted.ai_family = AF_INET;
-  wanted.ai_socktype = SOCK_STREAM;
-  if (const int error = getaddrinfo(host.c_str(), nullptr, &wanted, &found); error != 0)
-    throw std::invalid_argument(fmt::format("host \"{}\": {}", host, gai_strerror(error)));
-  sockaddr_in address{};
-  std::memcpy(&address, found->ai_addr, sizeof address);
-  freeaddrinfo(found);
-  return address.sin_addr.s_addr;
-}
-
-sockaddr_in addressOf(const std::string& host, int port) {
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(static_cast<std::uint16_t>(port));
-  address.sin_addr.s_addr = lookUp(host);
-  return address;
-}
-
-/// The sockets' functions want the general kind of address.
-template <class Call>
-int withAddress(sockaddr_in& address, const Call& call) {
-  return call(static_cast<sockaddr*>(static_cast<void*>(&address)), static_cast<socklen_t>(sizeof address));
-}
 
 void setOption(const FileDescriptor& socket, int level, int option) {
   const int on = 1;
@@ -70,7 +41,7 @@ FileDescriptor listenTcp(const std::string& host, int port, int backlog) {
   const std::string what = fmt::format("cannot listen on {}:{}", host, port);
   FileDescriptor listener(checkedCall(::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0), what));
   setOption(listener, SOL_SOCKET, SO_REUSEADDR);
-  sockaddr_in address = addressOf(host, port);
+  sockaddr_in address = internetAddress(lookUpHost(host), port);
   checkedCall(withAddress(address, [&](sockaddr* a, socklen_t n) { return ::bind(listener.number(), a, n); }), what);
   checkedCall(::listen(listener.number(), backlog), what);
   return listener;
@@ -80,7 +51,7 @@ FileDescriptor connectTcp(const std::string& host, int port, double timeout) {
   const std::string what = fmt::format("cannot connect to {}:{}", host, port);
   FileDescriptor socket(checkedCall(::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0), what));
   setOption(socket, IPPROTO_TCP, TCP_NODELAY);
-  sockaddr_in address = addressOf(host, port);
+  sockaddr_in address = internetAddress(lookUpHost(host), port);
   const int begun = withAddress(address, [&](sockaddr* a, socklen_t n) { return ::connect(socket.number(), a, n); });
   const int error = begun == 0 ? 0 : errno == EINPROGRESS ? finishConnecting(socket, timeout) : errno;
   if (error != 0) throw std::system_error(error, std::generic_category(), what);
@@ -95,7 +66,7 @@ int portOf(const FileDescriptor& socket) {
 }
 
 HostList::HostList(const std::vector<std::string>& hosts) {
-  for (const std::string& host : hosts) addresses_.push_back(lookUp(host));
+  for (const std::string& host : hosts) addresses_.push_back(lookUpHost(host));
 }
 
 bool HostList::allows(std::uint32_t address) const {
