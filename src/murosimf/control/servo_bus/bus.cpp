@@ -8,7 +8,8 @@ namespace murosimf::servo_bus {
 
 namespace {
 
-constexpr double kDelayUnit = 2e-6;  // [s], of Return Delay Time
+constexpr double kDelayUnit = 2e-6;           // [s], of Return Delay Time
+constexpr std::uint16_t kLargestRead1 = 253;  // [bytes]
 
 /// Least level that has this question answered.
 std::int64_t levelOf(Instruction instruction) {
@@ -25,6 +26,12 @@ bool isForSeveral(Instruction instruction) { return static_cast<unsigned>(instru
 Device* Bus::find(std::uint8_t id) {
   const auto found = std::find_if(devices_.begin(), devices_.end(), [&](const Device& d) { return d.id() == id; });
   return found == devices_.end() ? nullptr : &*found;
+}
+
+/// An answer of version 1.0 has no room for more.
+Fault Bus::readInto(const Device& device, std::uint16_t address, std::uint16_t length, Bytes& data) const {
+  if (protocol_ == Protocol::k1 && length > kLargestRead1) return Fault::kRange;
+  return device.read(address, length, data);
 }
 
 std::uint16_t Bus::word(Parameters parameters, std::size_t i) const {
@@ -133,7 +140,7 @@ Fault Bus::transfer(Device& device, Instruction instruction, Parameters paramete
   if (instruction == Instruction::kWrite) return device.write(address, rest);
   if (instruction == Instruction::kRegWrite) return device.registerWrite(address, rest);
   if (rest.size() != size) return malformed;
-  return device.read(address, size == 1 ? rest[0] : word(rest, 0), data);
+  return readInto(device, address, size == 1 ? rest[0] : word(rest, 0), data);
 }
 
 std::vector<Bus::Request> Bus::readRequests(Instruction instruction, Parameters parameters) const {
@@ -162,7 +169,7 @@ void Bus::readMany(const InstructionPacket& packet, std::vector<Answer>& answers
     const Device* device = find(request.id);
     if (device == nullptr || device->statusReturnLevel() < 1) continue;
     Bytes data;
-    const Fault fault = device->read(request.address, request.length, data);
+    const Fault fault = readInto(*device, request.address, request.length, data);
     answers.push_back(answer(*device, fault, data));
   }
 }
@@ -179,7 +186,7 @@ void Bus::readFast(const InstructionPacket& packet, std::vector<Answer>& answers
     const Device* device = find(request.id);
     if (device == nullptr || device->statusReturnLevel() < 1) break;
     Bytes data;
-    const Fault fault = device->read(request.address, request.length, data);
+    const Fault fault = readInto(*device, request.address, request.length, data);
     data.resize(request.length);
     all.bytes.push_back(device->errorByte(protocol_, fault));
     all.bytes.push_back(request.id);

@@ -45,6 +45,7 @@ class Bus {
   void single(const InstructionPacket& packet, std::vector<Answer>& answers);
   Fault execute(Device& device, const InstructionPacket& packet, Bytes& data);
   Fault transfer(Device& device, Instruction instruction, Parameters parameters, Bytes& data);
+  Fault readInto(const Device& device, std::uint16_t address, std::uint16_t length, Bytes& data) const;
   std::uint16_t word(Parameters parameters, std::size_t i) const;
   std::vector<Request> readRequests(Instruction instruction, Parameters parameters) const;
   void readMany(const InstructionPacket& packet, std::vector<Answer>& answers);
