@@ -102,10 +102,16 @@ std::vector<ImuSettings> imusOf(const ProgramValues& values, const client::Robot
   return imus;
 }
 
+std::string filledIn(std::string text, const std::string& name, const std::string& value) {
+  for (std::size_t at = text.find(name); at != text.npos; at = text.find(name, at + value.size()))
+    text.replace(at, name.size(), value);
+  return text;
+}
+
 ServoBusSettings settingsOf(const ProgramValues& values, const client::RobotDescription& robot) {
   ServoBusSettings s;
   s.protocol = static_cast<servo_bus::Protocol>(values.whole("protocol"));
-  s.link = values.text("link");
+  s.link = filledIn(filledIn(values.text("link"), "{team}", robot.team), "{number}", std::to_string(robot.number));
   s.baud_rate = values.number("baud_rate"), s.return_delay = values.number("return_delay");
   s.supply_voltage = values.number("supply_voltage"), s.temperature = values.number("temperature");
   s.overload_time = values.number("overload_time");

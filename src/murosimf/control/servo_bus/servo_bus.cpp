@@ -189,6 +189,16 @@ void ServoBus::waitForGoals(double t, std::unique_lock<std::mutex>& lock) {
   if (most > 0) vain_.emplace_back(t, now() - start);
 }
 
+std::string ServoBus::address() const { return settings_.link; }
+
+std::vector<std::pair<std::string, double>> ServoBus::figures() const {
+  const ServoBusCounts c = counts();
+  return {{"packets", static_cast<double>(c.packets)},
+          {"damaged_packets", static_cast<double>(c.damaged)},
+          {"lost_bytes", static_cast<double>(c.lost_bytes)},
+          {"missed_steps", static_cast<double>(c.missed_steps)}};
+}
+
 ServoBusCounts ServoBus::counts() const {
   const std::lock_guard lock(mutex_);
   return counts_;

@@ -47,6 +47,9 @@ class ServoBus final : public client::ControlSoftware {
   void start(const client::RobotDescription& robot) override;
   bool waitsForOthers() const override { return settings_.lock_step; }
   void step(const client::SensorFrame& sensors, client::CommandFrame& commands) override;
+  /// The link's path, as the settings have it.
+  std::string address() const override;
+  std::vector<std::pair<std::string, double>> figures() const override;
   const client::ControlReport& report() const override { return report_; }
   void archive(StateArchive& archive) override;
 
