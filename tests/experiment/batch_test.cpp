@@ -132,7 +132,8 @@ TEST(Batches, GiveUpARunThatGetsItsWorkersKilled) {
   const BatchOutcome outcome = playBatch(numberedRuns(4), store, play, quietly(2));
   EXPECT_EQ(outcome.done, 3);
   EXPECT_EQ(outcome.missing, 1);
-  EXPECT_EQ(outcome.restarts, kMostKills);
+  EXPECT_GE(outcome.restarts, kMostKills);
+  EXPECT_LE(outcome.restarts, kMostKills + 1) << "the other worker may just have begun it again";
   EXPECT_FALSE(store.read("run1"));
 }
 

@@ -232,7 +232,7 @@ void PlayerPort::sendMeasurements(const client::SensorFrame& sensors, long time)
   described_ = described_ && connection == connection_;
   connection_ = connection;
   measure(sensors, time);
-  const double second = settings_.lock_step ? sensors.time : secondsNow();
+  const double second = robot_.paced ? secondsNow() : sensors.time;
   if (!network_.allows(second, parts_->out.ByteSizeLong())) {
     beginMessage(time);
     addMessage(true, fmt::format("{:g} MB/s is all that may be sent to a robot, more was asked for", network_.quota()));
