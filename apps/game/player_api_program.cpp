@@ -34,8 +34,8 @@ std::vector<ProgramParameter> parameters() {
       {"budget", usual.delay.budget, "in lock-step, what answers may take beyond it within 25 s", 0, kLongestWait, "s"},
       {"rendering_quota", usual.rendering_quota, "of a robot's pictures, in simulated time", 0, kMostMegabytes,
        "MiB/s"},
-      {"network_quota", usual.network_quota, "of what is sent to a client, in simulated time unless the game is paced", 0,
-       kMostMegabytes, "MiB/s"},
+      {"network_quota", usual.network_quota, "of what is sent to a client, in simulated time unless the game is paced",
+       0, kMostMegabytes, "MiB/s"},
   };
 }
 
