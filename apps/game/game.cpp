@@ -1,6 +1,7 @@
 #include "game/game.h"
 
 #include "all_controllers.h"
+#include "game/agent_server_program.h"
 #include "game/player_api_program.h"
 #include "game/servo_bus_program.h"
 #include "murosimf/modules/camera/gl/gl_picture_maker.h"
@@ -13,6 +14,7 @@ namespace murosimf {
 ControlPrograms allPrograms() {
   ControlPrograms all;
   for (const auto& [name, make] : controllers::allControllers()) all.emplace(name, ControlProgram(make));
+  all.emplace("agent_server", agentServerProgram());
   all.emplace("player_api", playerApiProgram());
   all.emplace("servo_bus", servoBusProgram());
   return all;

@@ -4,8 +4,12 @@
 #include <cstdlib>
 #include <string>
 
+#include "murosimf/control/agent_server/agent_desk.h"
 #include "murosimf/control/game_controller/packets.h"
 #include "murosimf/control/player_api/request_reader.h"
+#include "murosimf/control/servo_bus/bus.h"
+#include "murosimf/control/servo_bus/packet_reader.h"
+#include "murosimf/control/servo_bus/servo_tables.h"
 #include "murosimf/control/wire/frame_parser.h"
 #include "murosimf/control/wire/s_expression.h"
 
@@ -79,13 +83,40 @@ void readGamePackets(std::span<const std::uint8_t> bytes) {
   static_cast<void>(decodeMessage(bytes, problem));
 }
 
+/// Whoever an agent says that it is, its names are short and its number is one.
+void readAgentRequests(std::span<const std::uint8_t> bytes) {
+  std::string problem;
+  const auto request = agent_server::readAgentRequest(std::string(bytes.begin(), bytes.end()), problem);
+  require(request.has_value() || !problem.empty());
+  if (request) require(request->number >= 0 && request->number < 100 && request->team.size() <= 64);
+}
+
+/// The first byte chooses the version of the protocol and how large the pieces are in which the others arrive; whatever
+/// comes is followed by two servos and, in 2.0, by a board.
+void readServoPackets(std::span<const std::uint8_t> bytes) {
+  using namespace servo_bus;
+  if (bytes.empty()) return;
+  const Protocol protocol = bytes[0] % 2 == 0 ? Protocol::k1 : Protocol::k2;
+  const std::size_t piece = bytes[0] / 2 % 7 + 1U;
+  std::vector<Device> devices{{tableOf("MX-28", protocol), 1, 0}, {tableOf("MX-106", protocol), 2, 0}};
+  if (protocol == Protocol::k2) devices.emplace_back(tableOf("IMU", protocol), std::uint8_t{3}, std::uint8_t{0});
+  PacketReader reader(protocol);
+  Bus bus(protocol, std::move(devices));
+  for (std::size_t i = 1; i < bytes.size(); i += piece) {
+    reader.take(bytes.subspan(i, std::min(piece, bytes.size() - i)));
+    while (const auto packet = reader.next()) {
+      for (const Answer& answer : bus.handle(*packet)) require(answer.bytes.size() < (1U << 17) && answer.delay >= 0);
+    }
+    require(reader.pending() < (1U << 17));
+  }
+}
+
 }  // namespace
 
 const std::vector<Target>& allTargets() {
-  static const std::vector<Target> targets{{"frames", parseFrames},
-                                           {"s_expressions", readExpressions},
-                                           {"player_requests", readRequests},
-                                           {"game_packets", readGamePackets}};
+  static const std::vector<Target> targets{
+      {"frames", parseFrames},           {"s_expressions", readExpressions},    {"player_requests", readRequests},
+      {"game_packets", readGamePackets}, {"agent_requests", readAgentRequests}, {"servo_packets", readServoPackets}};
   return targets;
 }
 

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <thread>
 
-#include "murosimf/control/player_api/delay_budget.h"
+#include "murosimf/control/wire/delay_budget.h"
 #include "player_api/api_robot.h"
 
 namespace murosimf::testing {
@@ -23,7 +23,7 @@ player_api::PlayerPortSettings lockStep() {
 }
 
 TEST(DelayBudget, PatienceIsFreeAndTheRestIsChargedWithinTheWindow) {
-  player_api::DelayBudget budget({0.1, 1.0, 25});
+  DelayBudget budget({0.1, 1.0, 25});
   EXPECT_DOUBLE_EQ(budget.allowance(0), 1.1);
   budget.answered(0.1, 0.1);
   EXPECT_DOUBLE_EQ(budget.allowance(1), 1.1);
@@ -36,7 +36,7 @@ TEST(DelayBudget, PatienceIsFreeAndTheRestIsChargedWithinTheWindow) {
 }
 
 TEST(DelayBudget, WhoMissesIsNotWaitedForUntilHeAnswers) {
-  player_api::DelayBudget budget({0.1, 1.0, 25});
+  DelayBudget budget({0.1, 1.0, 25});
   budget.missed(1, 1.1);
   EXPECT_EQ(budget.allowance(2), 0);
   budget.answered(3, 0);

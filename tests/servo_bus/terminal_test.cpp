@@ -250,10 +250,19 @@ TEST(ServoBusTerminal, SettingsThatCannotBeAreRefusedInWords) {
     try {
       SteppedBus robot(settings);
       ADD_FAILURE() << wrong.sentence;
-    } catch (const std::invalid_argument& error) {
+    } catch (const std::exception& error) {
       EXPECT_STREQ(error.what(), wrong.complaint) << wrong.sentence;
     }
   }
+}
+
+TEST(ServoBusTerminal, WhatTheRobotLacksIsToldBeforeTheSimulationBegins) {
+  ServoBusSettings settings = twoServos("lacks");
+  settings.servos[0].joint = "pam";
+  EXPECT_THROW(SteppedBus robot(settings), client::CannotStart);
+  settings = twoServos("lacks");
+  settings.link = "/proc/no/such/folder/link";
+  EXPECT_THROW(SteppedBus robot(settings), client::CannotStart);
 }
 
 }  // namespace

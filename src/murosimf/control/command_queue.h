@@ -33,6 +33,7 @@ class CommandQueue {
     entry.commands.joints.assign(commands.joints.begin(),
                                  commands.joints.begin() + static_cast<std::ptrdiff_t>(joints));
     entry.commands.message = commands.message;
+    entry.commands.beams = commands.beams, entry.commands.beam = commands.beam;
     const std::size_t cameras = std::min(entry.commands.camera_periods.capacity(), commands.camera_periods.size());
     entry.commands.camera_periods.assign(commands.camera_periods.begin(),
                                          commands.camera_periods.begin() + static_cast<std::ptrdiff_t>(cameras));
@@ -49,6 +50,7 @@ class CommandQueue {
     for (std::size_t i = 0; i < count_; ++i) {
       Entry& entry = entries_[(first_ + i) % entries_.size()];
       archive(entry.commands.joints, entry.commands.message, entry.commands.camera_periods, entry.due);
+      archive(entry.commands.beams, entry.commands.beam);
     }
   }
 

@@ -100,6 +100,11 @@ const client::ControlSoftware* ControlLoop::program(int robot) const {
   return robots_[static_cast<std::size_t>(robot)]->controlled.program.get();
 }
 
+std::optional<PlanarPose> ControlLoop::takeBeam(int robot) {
+  Runner& runner = *robots_[static_cast<std::size_t>(robot)];
+  return std::exchange(runner.beams, false) ? std::optional(runner.beam) : std::nullopt;
+}
+
 bool ControlLoop::isBusy(int robot) const { return robots_[static_cast<std::size_t>(robot)]->busy; }
 
 void ControlLoop::applyCommands(long frame) {
@@ -112,6 +117,7 @@ void ControlLoop::applyCommands(long frame) {
       const client::CommandFrame& commands = runner->pending.front().commands;
       runner->refused_joints += runner->controlled.port.applyCommands(commands);
       setCameras(*runner, commands, frame);
+      if (commands.beams) runner->beams = true, runner->beam = commands.beam;
       runner->pending.pop();
     }
   }
@@ -279,7 +285,7 @@ void ControlLoop::archive(StateArchive& archive) {
     collect(r, r.asked);
     std::string fault = r.fault.value_or("");
     archive(r.game, r.inbox, r.outbox, r.waiting, r.pending, r.commands.joints, r.commands.message, r.asked);
-    archive(r.failed, fault);
+    archive(r.beams, r.beam, r.failed, fault);
     r.fault = r.failed ? std::optional(fault) : std::nullopt;
     if (r.runs()) r.controlled.program->archive(archive);
     for (std::size_t i = 0; i < r.controlled.eyeCount(); ++i) {

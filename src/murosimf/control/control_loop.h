@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -103,6 +104,8 @@ class ControlLoop {
   /// Its program; null: it has none.
   const client::ControlSoftware* program(int robot) const;
 
+  /// Where its program has asked to be put, in its team's own frame, since this was called last; nothing: it has not.
+  std::optional<PlanarPose> takeBeam(int robot);
   /// True while this robot's program runs.
   bool isBusy(int robot) const;
 

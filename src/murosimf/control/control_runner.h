@@ -33,6 +33,8 @@ struct ControlLoop::Runner {
   client::TeamMessage outbox;              // of the last answer, until it is delivered
   std::vector<Exposure> waiting;           // one place a camera or range sensor
   CommandQueue pending;
+  bool beams = false;  // its program asks to be put to `beam`
+  PlanarPose beam;
   bool answered = false;  // the last task's commands have not been collected yet
   bool failed = false;
   long refused_joints = 0, late_commands = 0, missed_frames = 0;

@@ -78,6 +78,8 @@ client::ToldPose PoseOracle::read(const SceneView& view, std::size_t robot, long
   told.pose = {side * X_WB.translation.x + e.x_bias + e.position_noise * stream(kX).normal(step),
                side * X_WB.translation.y + e.y_bias + e.position_noise * stream(kY).normal(step),
                wrapAngle(heading + e.heading_bias + e.heading_noise * stream(kHeading).normal(step))};
+  told.X_FB = {rotationZ(told.pose.heading - heading + turn) * X_WB.rotation,
+               {told.pose.x, told.pose.y, X_WB.translation.z}};
   return told;
 }
 

@@ -60,7 +60,7 @@ class PoseOracle {
   struct Told {  // on its way
     client::ToldPose pose;
     long frame = 0;
-    void archive(StateArchive& archive) { archive(pose.number, pose.valid, pose.time, pose.pose, frame); }
+    void archive(StateArchive& archive) { archive(pose.number, pose.valid, pose.time, pose.pose, pose.X_FB, frame); }
   };
   bool isDue(long frame) const;
   client::ToldPose read(const SceneView& view, std::size_t robot, long frame) const;

@@ -146,10 +146,10 @@ constexpr ScenarioKey kKeys[] = {
     plainKey(kRobot, "cameras", kTable, "",
              "per camera of the robot file a module, `ray_caster`, `opengl`, `oracle` or `none`"),
     plainKey(kRobot, "localisation", kModule, "", "`oracle`: told where it and its mates stand; or `none`"),
-    plainKey(kRobot, "control", kModule, "\"none\"",
-             "control software: `player`, `trotter`, `cart`, a port for that of others, `player_api` or `servo_bus`, "
-             "`none` or "
-             "{program = ...}"),
+    plainKey(
+        kRobot, "control", kModule, "\"none\"",
+        "control software: `player`, `trotter`, `cart`, a port for that of others, `player_api`, `agent_server` or "
+        "`servo_bus`, `none` or {program = ...}"),
     plainKey(kRobot, "properties", kTable, "", "any property by object and name, `\"trunk.mass\" = 1.2`"),
     plainKey(kRobot, "kickoff_own", kPose, "", "at the own team's kick-off; default: the referee's choice"),
     plainKey(kRobot, "kickoff_other", kPose, "", "at the other team's kick-off; default: the referee's choice"),
@@ -157,9 +157,9 @@ constexpr ScenarioKey kKeys[] = {
     plainKey("MODULE", "module", kText, "", "name of the module; default: the level's"),
     from("MODULE", "period", "s", 0, 10, "0.0", "between two updates: whole frames (cameras: rounded); 0: its own"),
     from("MODULE", "phase", "s", 0, 10, "0.0", "first update after the start"),
-    plainKey(
-        "CONTROL", "program", kText, "",
-        "`player`, `trotter`, `cart`, `player_api`, `servo_bus` or `none`; what else may stand here is the program's"),
+    plainKey("CONTROL", "program", kText, "",
+             "`player`, `trotter`, `cart`, `player_api`, `agent_server`, `servo_bus` or `none`; what else may stand "
+             "here is the program's"),
     above("CONTROL", "period", "s", 0, 1, "",
           "between two of its steps: whole frames; default: simulation.control_period"),
     from("CONTROL", "delay", "s", 0, 1, "",

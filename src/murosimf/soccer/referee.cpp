@@ -1,5 +1,7 @@
 #include "murosimf/soccer/referee.h"
 
+#include <cmath>
+
 #include "murosimf/soccer/course_referee.h"
 #include "murosimf/soccer/match_referee.h"
 #include "murosimf/soccer/penalty_referee.h"
@@ -26,8 +28,26 @@ Referee::Referee(const MatchSettings& match, Simulation& simulation)
 void Referee::afterFrame(Simulation& simulation) {
   if (ball_.valid()) watchBall(simulation);
   if (simulation.frame() % match_.control_period != 0) return;
+  const bool beamed = obeyBeams(simulation);
   const bool placed = decide(simulation);
-  tellRobots(simulation, placed);
+  tellRobots(simulation, placed || beamed);
+}
+
+bool Referee::obeyBeams(Simulation& simulation) {
+  const bool free = state_.phase == GamePhase::kSet || state_.phase == GamePhase::kReady;
+  const double longest = match_.field.length / 2 + match_.field.border;
+  const double widest = match_.field.width / 2 + match_.field.border;
+  bool beamed = false;
+  for (std::size_t i = 0; simulation.control() != nullptr && i < match_.robots.size(); ++i) {
+    if (control_indices_[i] < 0) continue;
+    const std::optional<PlanarPose> beam = simulation.control()->takeBeam(control_indices_[i]);
+    const bool allowed =
+        beam && std::isfinite(beam->heading) && beam->x <= 0 && beam->x >= -longest && std::abs(beam->y) <= widest;
+    if (!free || !allowed) continue;
+    putRobot(simulation, i, turnedForTeam(*beam, attacksPositiveX(match_, match_.robots[i].team)));
+    beamed = true;
+  }
+  return beamed;
 }
 
 void Referee::watchBall(Simulation& simulation) {

@@ -6,6 +6,8 @@
 /// Phases    kSet (1 s: robots and ball stand at their places) -> kPlaying -> kReady (a pause) -> everybody is put to
 ///           a place -> kSet ... -> kFinished. A game begins in kSet with the robots where the scenario put them. What
 ///           ends kPlaying and the game is up to the rules: match_referee.h, penalty_referee.h, course_referee.h.
+/// Beams     A program may choose its robot's place in kSet and kReady (CommandFrame::beam): in its own half, on the
+///           field or its border. Elsewhere, and while the ball is in play, it is left where it is.
 /// Rhythm    The ball is watched in every frame. The referee acts where a control period begins, so a placement made
 ///           there is seen whole by the next sensor frame, and that one alone says `placed`.
 /// State     archived; a continued run goes on with the same game.
@@ -95,6 +97,8 @@ class Referee : public FrameObserver {
 
  private:
   void watchBall(Simulation& simulation);
+  /// Puts robots where their programs ask to be put, as long as play has not begun. @returns true where one was
+  bool obeyBeams(Simulation& simulation);
 
   double frame_length_;
   Handle<Pose> ball_;

@@ -70,6 +70,7 @@ struct ToldPose {
   bool valid = false;  ///< false: nothing was told this time
   double time = 0;     ///< of the truth that was told [s]
   PlanarPose pose;     ///< in the team's own frame
+  Pose X_FB = {};      ///< of the base in that frame, above `pose`; not told through the player API
 };
 
 enum class GamePhase : std::uint8_t { kReady, kSet, kPlaying, kFinished };
@@ -128,6 +129,9 @@ struct CommandFrame {
   /// Time between two pictures of each camera [s] as long as the program goes on: 0 takes none, kCameraAsIs changes
   /// nothing. A camera whose time changes takes its next picture so much later. May be empty: all stay as they are.
   std::vector<double> camera_periods;
+  /// Asks to be put somewhere, in the team's own frame: done where the referee lets robots choose their places.
+  bool beams = false;
+  PlanarPose beam = {};
 };
 
 inline constexpr double kCameraAsIs = -1;

@@ -17,12 +17,12 @@
 #include <vector>
 
 #include "murosimf/control/client/control_software.h"
-#include "murosimf/control/player_api/delay_budget.h"
 #include "murosimf/control/player_api/device_book.h"
 #include "murosimf/control/player_api/motor_table.h"
 #include "murosimf/control/player_api/network_quota.h"
 #include "murosimf/control/player_api/request_reader.h"
 #include "murosimf/control/player_api/sensor_schedule.h"
+#include "murosimf/control/wire/delay_budget.h"
 #include "murosimf/control/wire/frame_server.h"
 
 namespace murosimf::player_api {

@@ -125,11 +125,15 @@ void ServoBus::connect(const client::RobotDescription& robot) {
 }
 
 void ServoBus::start(const client::RobotDescription& robot) {
-  connect(robot);
   period_ = robot.control_period;
   const std::string link = filledIn(settings_.link, "{team}", robot.team);
-  terminal_ = std::make_unique<PseudoTerminal>(filledIn(link, "{number}", std::to_string(robot.number)));
-  alarm_.reset(checkedCall(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK), "eventfd"));
+  try {
+    connect(robot);
+    terminal_ = std::make_unique<PseudoTerminal>(filledIn(link, "{number}", std::to_string(robot.number)));
+    alarm_.reset(checkedCall(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK), "eventfd"));
+  } catch (const std::exception& problem) {
+    throw client::CannotStart(problem.what());
+  }
   thread_ = std::thread([this] { serve(); });
 }
 

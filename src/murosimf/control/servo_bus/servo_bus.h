@@ -42,8 +42,8 @@ class ServoBus final : public client::ControlSoftware {
   explicit ServoBus(ServoBusSettings settings);
   ~ServoBus() override;
 
-  /// Opens the terminal. @throws std::invalid_argument for a joint or an IMU that the robot lacks; std::system_error or
-  /// std::runtime_error as PseudoTerminal
+  /// Opens the terminal. @throws client::CannotStart for a joint or an IMU that the robot lacks, or where the system or
+  /// PseudoTerminal refuses
   void start(const client::RobotDescription& robot) override;
   bool waitsForOthers() const override { return settings_.lock_step; }
   void step(const client::SensorFrame& sensors, client::CommandFrame& commands) override;

@@ -126,7 +126,10 @@ struct FrameServer::Connection {
     // What a client that has gone still wanted is lost where there is no room for it.
     if ((happened & (POLLERR | POLLNVAL)) != 0 || ((happened & POLLHUP) != 0 && !channel->hasRoom()))
       end = "connection lost";
-    if (end.empty() && channel->wantsEnd()) end = "ended by the simulator";
+    if (end.empty() && channel->wantsEnd()) {
+      write();  // what fits: the reason may be among it
+      end = "ended by the simulator";
+    }
     if (end.empty() && ((happened & (POLLIN | POLLHUP)) != 0 || !left_over.empty())) read();
     if (end.empty()) write();
   }

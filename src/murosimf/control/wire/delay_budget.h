@@ -8,7 +8,7 @@
 #include <deque>
 #include <utility>
 
-namespace murosimf::player_api {
+namespace murosimf {
 
 struct DelayLimits {
   double patience = 0.1;  ///< a step
@@ -39,4 +39,4 @@ class DelayBudget {
   long misses_ = 0;
 };
 
-}  // namespace murosimf::player_api
+}  // namespace murosimf

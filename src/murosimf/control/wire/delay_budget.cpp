@@ -1,8 +1,8 @@
-#include "murosimf/control/player_api/delay_budget.h"
+#include "murosimf/control/wire/delay_budget.h"
 
 #include <algorithm>
 
-namespace murosimf::player_api {
+namespace murosimf {
 
 double DelayBudget::allowance(double now) {
   if (lost_) return 0;
@@ -27,4 +27,4 @@ void DelayBudget::missed(double now, double waited) {
   lost_ = true;
 }
 
-}  // namespace murosimf::player_api
+}  // namespace murosimf
