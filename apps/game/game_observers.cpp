@@ -14,6 +14,10 @@ GameObservers::GameObservers(const Scene& scene, Simulation& simulation)
     const MatchSettings match = matchSettings(scene, simulation.world());
     referee_ = makeReferee(match, simulation);
     simulation.observe(referee_.get());
+    if (*scene.game_controller.role == "send") {
+      broadcast_ = std::make_unique<GameBroadcast>(scene.game_controller, *referee_, simulation);
+      simulation.observe(broadcast_.get());
+    }
     percepts_ = std::make_unique<PerceptStatistics>(match, simulation);
     control.observe(percepts_.get());
     simulation.observe(percepts_.get());

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "game/game_broadcast.h"
 #include "game/hash_log.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/simulation/contact_statistics.h"
@@ -30,6 +31,8 @@ class GameObservers {
   const TrialReferee* trial() const { return dynamic_cast<const TrialReferee*>(referee_.get()); }
   /// A trial's last attempt has been judged: there is nothing more to see.
   bool finished() const { return trial() != nullptr && referee_->phase() == client::GamePhase::kFinished; }
+  /// Null where the scenario's referee is no game controller.
+  const GameBroadcast* broadcast() const { return broadcast_.get(); }
   const MatchStatistics* match() const { return match_.get(); }
   const PerceptStatistics* percepts() const { return percepts_.get(); }
   const PerceptKeeper& keeper() const { return keeper_; }
@@ -48,6 +51,7 @@ class GameObservers {
  private:
   const Simulation& simulation_;
   std::unique_ptr<Referee> referee_;
+  std::unique_ptr<GameBroadcast> broadcast_;
   std::unique_ptr<PerceptStatistics> percepts_;
   std::unique_ptr<MatchStatistics> match_;
   PerceptKeeper keeper_;

@@ -108,6 +108,24 @@ void addMatch(nlohmann::ordered_json& report, const Referee& referee, const Matc
   }
 }
 
+void addGameController(nlohmann::ordered_json& report, const GameBroadcast& broadcast) {
+  const game_controller::GameLinkCounts counts = broadcast.link().counts();
+  nlohmann::ordered_json& out = report["game_controller"];
+  out = {{"sent", counts.sent},       {"dropped", counts.dropped},     {"heard", counts.heard},
+         {"refused", counts.refused}, {"strangers", counts.strangers}, {"last_problem", counts.last_problem}};
+  out["robots"] = nlohmann::ordered_json::array();
+  for (const auto& [who, robot] : broadcast.link().robots()) {
+    const game_controller::RobotStatus& s = robot.status;
+    out["robots"].push_back({{"team", who.first},
+                             {"player", who.second},
+                             {"packets", robot.packets},
+                             {"fallen", s.fallen},
+                             {"x", number(static_cast<double>(s.x))},
+                             {"y", number(static_cast<double>(s.y))},
+                             {"heading", number(static_cast<double>(s.heading))}});
+  }
+}
+
 void addTrial(nlohmann::ordered_json& report, const TrialReferee& referee) {
   nlohmann::ordered_json& trial = report["trial"];
   const std::vector<Attempt>& attempts = referee.attempts();

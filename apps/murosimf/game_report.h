@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "game/game_broadcast.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/simulation/contact_statistics.h"
 #include "murosimf/simulation/exchange_statistics.h"
@@ -18,6 +19,8 @@ namespace murosimf {
 
 /// score {red, blue}, events, goals, shots, saves, own goals, time in play, distance walked per robot.
 void addMatch(nlohmann::ordered_json& report, const Referee& referee, const MatchStatistics& statistics);
+/// What the game controller has sent, and heard of robots: the last word of each.
+void addGameController(nlohmann::ordered_json& report, const GameBroadcast& broadcast);
 /// Of trials: how each attempt ended, and how many passed.
 void addTrial(nlohmann::ordered_json& report, const TrialReferee& referee);
 /// Per robot: recall, precision and distance error of the ball, error of the self-localisation.

@@ -138,6 +138,7 @@ nlohmann::ordered_json Run::report() {
                              {"longest", longest_frame_}};
   if (pacer_ != nullptr) report["pace"] = paceFigures(pacer_->report());
   if (watch_->referee() != nullptr) addMatch(report, *watch_->referee(), *watch_->match());
+  if (watch_->broadcast() != nullptr) addGameController(report, *watch_->broadcast());
   if (watch_->trial() != nullptr) addTrial(report, *watch_->trial());
   if (watch_->percepts() != nullptr) addPercepts(report, *watch_->percepts(), *simulation_);
   addExchanges(report, scene_, watch_->exchanges(), *simulation_);
@@ -183,17 +184,17 @@ int runScenario(const RunArguments& arguments) {
     fmt::print(stderr, "{}", diagnostics.text());
     return kWrongInput;
   }
-  Run run(arguments, *scene, diagnostics);
-  fmt::print(stderr, "{}", diagnostics.text());
-  if (diagnostics.hasErrors()) return kWrongInput;
   try {
+    Run run(arguments, *scene, diagnostics);
+    fmt::print(stderr, "{}", diagnostics.text());
+    if (diagnostics.hasErrors()) return kWrongInput;
     run.play();
+    fmt::print("{}", run.finish());
+    return run.anyFrozen() ? kFault : 0;
   } catch (const client::CannotStart& problem) {
     fmt::print(stderr, "error: {}\n", problem.what());
     return kWrongInput;
   }
-  fmt::print("{}", run.finish());
-  return run.anyFrozen() ? kFault : 0;
 }
 
 }  // namespace murosimf

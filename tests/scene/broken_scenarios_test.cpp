@@ -48,7 +48,8 @@ const std::map<std::string, std::vector<std::string>> kExpected = {
     {"unknown_key",
      {"3:1: error: unknown key \"brightnes\" in field, expected one of its 23 keys (did you mean \"brightness\"?)",
       "5:2: error: unknown key \"balls\", expected \"simulation\", \"field\", \"ball\", \"surfaces\", \"contacts\", "
-      "\"teams\", \"robots\", \"obstacles\", \"course\", \"referee\" or \"output\" (did you mean \"ball\"?)",
+      "\"teams\", \"robots\", \"obstacles\", \"course\", \"referee\", \"game_controller\" or \"output\" (did you mean "
+      "\"ball\"?)",
       "11:1: error: unknown key \"moton\" in robots.red.1, expected one of its 28 keys (did you mean \"motion\"?)"}},
     {"unknown_preset",
      {"2:10: error: preset is text \"2025_kit\", expected \"2007\", \"2025_kid\", \"2025_adult\", \"2026_small\", "

@@ -50,6 +50,7 @@ constexpr ScenarioKey kKeys[] = {
              "what stands in the way: a table `[obstacles.NAME]` each, and `[obstacles.all]` for what they share"),
     plainKey("", "course", kTable, "", "the way of a slalom or of an obstacle run"),
     plainKey("", "referee", kTable, "", "what is judged: kick-off, goals, ball out, clock; or attempts of a trial"),
+    plainKey("", "game_controller", kTable, "", "tells robots' software by UDP how the game stands"),
     plainKey("", "output", kTable, "", "what a run leaves behind"),
 
     above("simulation", "frame", "s", 0, .02, "0.001", "length of a frame"),
@@ -209,6 +210,19 @@ constexpr ScenarioKey kKeys[] = {
     from("referee", "pause_after_goal", "s", 0, 600, "2.0",
          "until the robots are put back for the kick-off, or for the next attempt"),
     from("referee", "half_length", "s", 0, 1e7, "0.0", "0: one half, as long as the run"),
+
+    wordKey("game_controller", "role", "none send", "\"none\"",
+            "`send`: packets to robots, and their status heard (docs/game_controller.md)"),
+    wordKey("game_controller", "format", "hsl19 spl18 hl15 hl12", "\"hsl19\"", "league and version of the packets"),
+    plainKey("game_controller", "host", kText, "\"127.0.0.1\"",
+             "that packets go to; a network's last address: all of it"),
+    whole("game_controller", "port", 1, 65535, "3838", "that they go to"),
+    plainKey("game_controller", "broadcast", kBool, "false", "`host` is a network's last address"),
+    plainKey("game_controller", "listen", kText, "\"127.0.0.1\"", "address on which robots are heard"),
+    whole("game_controller", "return_port", 0, 65535, "3939", "on which robots are heard; 0: any free one"),
+    plainKey("game_controller", "allow", kText, "\"127.0.0.1\"", "hosts whose robots are heard, blanks between them"),
+    whole("game_controller", "red_number", 0, 254, "1", "of the team"),
+    whole("game_controller", "blue_number", 0, 254, "2", "likewise"),
 
     plainKey("output", "directory", kText, "\"out\"", ""),
     plainKey("output", "record", kText, "\"none\"", "file of the recorder within the directory, or `none`"),

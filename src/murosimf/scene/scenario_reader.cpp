@@ -57,6 +57,7 @@ class ScenarioReader {
     scene_.course = readCourse(whole_.find("course"), problems_);
     scene_.obstacles = readObstacles(whole_.find("obstacles"), scene_.course, *scene_.simulation.seed, problems_);
     readReferee();
+    readGameController();
     readOutput();
     return std::move(scene_);
   }
@@ -223,6 +224,28 @@ class ScenarioReader {
     reader.read("pause_after_goal", scene_.referee.pause_after_goal);
     reader.read("half_length", scene_.referee.half_length);
     checkRules();
+  }
+
+  void readGameController() {
+    const TableReader reader = section("game_controller");
+    GameControllerSettings& s = scene_.game_controller;
+    reader.read("role", s.role);
+    reader.read("format", s.format);
+    reader.read("host", s.host);
+    reader.read("port", s.port);
+    reader.read("broadcast", s.broadcast);
+    reader.read("listen", s.listen);
+    reader.read("return_port", s.return_port);
+    reader.read("allow", s.allow);
+    reader.read("red_number", s.red_number);
+    reader.read("blue_number", s.blue_number);
+    if (*s.role == "none") return;
+    if (!*scene_.referee.enabled)
+      problems_.error(s.role.where,
+                      "a game controller tells what the referee decides, and there is none; expected "
+                      "referee.enabled = true");
+    if (*s.red_number == *s.blue_number)
+      problems_.error(s.blue_number.where, fmt::format("both teams have the number {}, expected two", *s.red_number));
   }
 
   /// What the rules need to have something to judge.

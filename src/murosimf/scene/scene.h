@@ -170,6 +170,19 @@ struct RefereeSettings {
   Located<double> half_length{0.0, {}};       ///< [s]; 0: one half that lasts as long as the run
 };
 
+/// The referee as a game controller of robots' software.
+struct GameControllerSettings {
+  Located<std::string> role{"none", {}};     ///< "none" or "send"
+  Located<std::string> format{"hsl19", {}};  ///< "hsl19", "spl18", "hl15" or "hl12"
+  Located<std::string> host{"127.0.0.1", {}};
+  Located<int> port{3838, {}};
+  Located<bool> broadcast{false, {}};
+  Located<std::string> listen{"127.0.0.1", {}};  ///< address on which robots' status is heard
+  Located<int> return_port{3939, {}};            ///< 0: any free one
+  Located<std::string> allow{"127.0.0.1", {}};   ///< hosts whose robots are heard, blanks between them
+  Located<int> red_number{1, {}}, blue_number{2, {}};
+};
+
 struct OutputSettings {
   Located<std::string> directory{"out", {}};
   Located<std::string> record{"none", {}};  ///< file of the recorder, relative to directory; "none": off
@@ -189,6 +202,7 @@ struct Scene {
   std::vector<ObstacleSettings> obstacles;  ///< by name, those on random sites too
   CourseSettings course;
   RefereeSettings referee;
+  GameControllerSettings game_controller;
   OutputSettings output;
 };
 

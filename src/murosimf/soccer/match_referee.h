@@ -18,6 +18,7 @@ class MatchReferee final : public Referee {
   MatchReferee(const MatchSettings& match, Simulation& simulation);
 
   void archive(StateArchive& archive) override;
+  bool inSecondHalf() const override { return halves_.second; }
 
  private:
   bool decide(Simulation& simulation) override;

@@ -46,6 +46,9 @@ class Referee : public FrameObserver {
   /// The ball has been kicked off, and play has not been ended since.
   bool ballInPlay() const { return state_.phase == client::GamePhase::kPlaying && state_.kicked_off; }
   Team kickoffTeam() const { return state_.kickoff_team; }
+  /// Of the half or of the attempt, at the end of the frame before this one [s].
+  double secondsLeft(long frame) const { return timeLeft(frame); }
+  virtual bool inSecondHalf() const { return false; }
   int score(Team team) const { return state_.score[teamIndex(team)]; }
   /// Kick-offs, attempts and balls put back so far, the first kick-off included.
   std::uint32_t restartCount() const { return state_.restarts; }

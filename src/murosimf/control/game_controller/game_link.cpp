@@ -10,6 +10,7 @@ namespace {
 constexpr std::size_t kMostWaiting = 64;      // packets
 constexpr std::size_t kMostRobots = 64;       // of which something is kept
 constexpr std::size_t kLargestPacket = 1500;  // [bytes]
+constexpr int kRest = 5;                      // between two looks for packets that wait to leave [ms]
 constexpr int kHeardAtOnce = 100;             // packets, so that a flood does not keep us from sending
 
 }  // namespace
@@ -34,18 +35,15 @@ void GameLink::wake() const {
 }
 
 void GameLink::send(Bytes&& packet) {
-  {
-    const std::lock_guard lock(mutex_);
-    if (to_send_.size() == kMostWaiting) to_send_.pop_front(), ++counts_.dropped;
-    to_send_.push_back(std::move(packet));
-  }
-  wake();
+  const std::lock_guard lock(mutex_);
+  if (to_send_.size() == kMostWaiting) to_send_.pop_front(), ++counts_.dropped;
+  to_send_.push_back(std::move(packet));
 }
 
 void GameLink::serve() {
   while (!ends_) {
     std::array<pollfd, 2> polled{{{wake_.number(), POLLIN, 0}, {socket_.number(), POLLIN, 0}}};
-    if (::poll(polled.data(), polled.size(), -1) < 0) continue;
+    if (::poll(polled.data(), polled.size(), kRest) < 0) continue;
     std::uint64_t count = 0;
     [[maybe_unused]] const ssize_t read = ::read(wake_.number(), &count, sizeof count);
     sendAll();

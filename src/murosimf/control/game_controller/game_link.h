@@ -50,6 +50,7 @@ class GameLink {
   GameLink(const GameLink&) = delete;
   GameLink& operator=(const GameLink&) = delete;
 
+  /// Leaves within some milliseconds. Makes no system call.
   void send(Bytes&& packet);
   /// By team number and player.
   std::map<std::pair<int, int>, HeardRobot> robots() const;
