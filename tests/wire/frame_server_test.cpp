@@ -148,7 +148,7 @@ TEST(FrameServer, OneClientThatDoesNothingHindersNoOther) {
   const auto idle = std::make_shared<FrameChannel>(), busy = std::make_shared<FrameChannel>();
   const FrameClient sleeper("127.0.0.1", makePort(idle), 5);
   FrameClient talker("127.0.0.1", makePort(busy), 5);
-  ASSERT_TRUE(idle->waitForClient(soon()));
+  ASSERT_TRUE(idle->waitForClient(soon()) && busy->waitForClient(soon()));
   for (int i = 0; i < 100; ++i) {
     idle->send(FrameBytes(1 << 20));
     talker.send(bytes("ping"));
