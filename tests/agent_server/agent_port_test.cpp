@@ -97,6 +97,13 @@ struct Pitch {
     agent.send(init);
     return agent;
   }
+  /// Lets agents be seated until somebody sits at this place.
+  void waitFor(int place) {
+    for (int i = 0; i < 2000 && desk->channelOf(place) == nullptr; ++i) {
+      desk->attend();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
   /// Lets agents be seated until somebody sits at one of the places, or has been sent away.
   void attend() {
     const long before = desk->refused();
@@ -158,10 +165,7 @@ TEST(AgentDesk, FirstTeamPlaysOnTheLeftAndTheNextOneOnTheRight) {
   pitch.attend();
   EXPECT_NE(pitch.desk->channelOf(0), nullptr);
   PlainAgent second = pitch.connect("(init t1 Robins 1)");
-  for (int i = 0; i < 2000 && pitch.desk->channelOf(1) == nullptr; ++i) {
-    pitch.desk->attend();
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
+  pitch.waitFor(1);
   EXPECT_NE(pitch.desk->channelOf(1), nullptr);
   EXPECT_EQ(pitch.desk->teamOf(Side::kLeft), "Swifts");
   EXPECT_EQ(pitch.desk->teamOf(Side::kRight), "Robins");
@@ -274,10 +278,7 @@ TEST(Perceptions, RightTeamHearsItsPoseInTheFrameOfTheFieldNotInItsOwn) {
   PlainAgent agent = pitch.connect("(init T1 Swifts 1)");
   pitch.attend();
   PlainAgent blue = pitch.connect("(init T1 Robins 1)");
-  for (int i = 0; i < 2000 && pitch.desk->channelOf(1) == nullptr; ++i) {
-    pitch.desk->attend();
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
+  pitch.waitFor(1);
   pitch.right.sensors.own_pose = {1, true, 0, {-3, 1, 0}, {{}, {-3, 1, 0.5}}};
   const std::string text = cycle(pitch.right, blue, "(syn)");
   EXPECT_NE(text.find("(q 0.000 0.000 0.000 1.000)"), std::string::npos) << text;
@@ -384,10 +385,7 @@ TEST(Actions, BeamIsMirroredToTheOwnHalfOfEachSide) {
   cycle(pitch.left, agent, "(syn)");
   EXPECT_FALSE(pitch.left.commands.beams) << "once is enough";
   PlainAgent blue = pitch.connect("(init T1 Robins 1)");
-  for (int i = 0; i < 2000 && pitch.desk->channelOf(1) == nullptr; ++i) {
-    pitch.desk->attend();
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
+  pitch.waitFor(1);
   cycle(pitch.right, blue, "(beam -2 1 0)");
   EXPECT_EQ(pitch.right.commands.beam, (PlanarPose{-2, -1, 0})) << "y is the field's: not mirrored";
 }

@@ -4,10 +4,13 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <numeric>
 #include <thread>
 
 #include "game/game.h"
+#include "game/game_observers.h"
 #include "game/program.h"
+#include "murosimf/scene/scenario_reader.h"
 #include "scene/documented_table.h"
 
 namespace murosimf::test {
@@ -77,6 +80,50 @@ TEST(AgentServer, BeamsBeforeTheKickOffPutRobotsIntoTheirOwnHalves) {
   EXPECT_NEAR(blue["pos"][0].get<double>(), 1.5, 0.05);
   EXPECT_NEAR(blue["pos"][1].get<double>(), -0.5, 0.05) << "y is the field's";
   EXPECT_NEAR(std::abs(blue["quat"][3].get<double>()), 1, 0.05) << "turned by half a turn";
+}
+
+/// Beams once, and counts how often somebody says that it was put somewhere.
+class Beamer final : public client::ControlSoftware {
+ public:
+  Beamer(int& beams, int& times_placed) : beams_(beams), times_placed_(times_placed) {}
+  void start(const client::RobotDescription& robot) override { beams_here_ = robot.team == "red" && robot.number == 1; }
+  void step(const client::SensorFrame& sensors, client::CommandFrame& commands) override {
+    const bool asks = beams_here_ && sensors.time > 0.095 && sensors.time < 0.105;
+    commands.beams = asks, commands.beam = {-1, 0.5, 0.25};
+    beams_ += asks ? 1 : 0;
+    if (sensors.time < 0.1 || !sensors.game.placed) return;
+    ++times_placed_;
+    if (beams_here_) {
+      EXPECT_EQ(sensors.game.placed_at, commands.beam);
+    }
+  }
+  const client::ControlReport& report() const override { return report_; }
+  void archive(client::StateArchive&) override {}
+
+ private:
+  int &beams_, &times_placed_;
+  bool beams_here_ = false;
+  client::ControlReport report_;
+};
+
+TEST(Beams, TellTheirRobotAloneThatItHasBeenPlaced) {
+  Diagnostics diagnostics;
+  const auto scene =
+      readScenario("scenarios/game_3v3.toml", {"robots.all.level=oracle", "robots.all.control=beamer"}, diagnostics);
+  std::vector<int> beams(6), placed(6);
+  std::size_t next = 0;
+  ControlPrograms programs;
+  programs.emplace("beamer", [&] {
+    const std::size_t i = next++;
+    return std::make_unique<Beamer>(beams.at(i), placed.at(i));
+  });
+  const auto simulation = buildGame(*scene, diagnostics, {}, allModules(), programs);
+  ASSERT_EQ(diagnostics.text(), "");
+  const GameObservers observers(*scene, *simulation);
+  for (int i = 0; i < 500; ++i) simulation->step();
+  simulation->control()->finish();
+  EXPECT_EQ(beams, placed) << "the one that beamed, and nobody else";
+  EXPECT_EQ(std::accumulate(beams.begin(), beams.end(), 0), 1);
 }
 
 TEST(AgentServer, ParametersStandInItsDocument) {

@@ -20,6 +20,7 @@ Referee::Referee(const MatchSettings& match, Simulation& simulation)
     paths_.emplace_back(simulation.linked(), robot.object);
     control_indices_.push_back(simulation.control() == nullptr ? -1 : simulation.control()->indexOf(robot.object));
     places_.push_back(robot.start);
+    beamed_.push_back(0);
   }
   events_.reserve(256);
   state_.kickoff_team = match.kickoff_team;
@@ -28,26 +29,26 @@ Referee::Referee(const MatchSettings& match, Simulation& simulation)
 void Referee::afterFrame(Simulation& simulation) {
   if (ball_.valid()) watchBall(simulation);
   if (simulation.frame() % match_.control_period != 0) return;
-  const bool beamed = obeyBeams(simulation);
+  obeyBeams(simulation);
   const bool placed = decide(simulation);
-  tellRobots(simulation, placed || beamed);
+  tellRobots(simulation, placed);
 }
 
-bool Referee::obeyBeams(Simulation& simulation) {
+void Referee::obeyBeams(Simulation& simulation) {
+  beamed_.assign(match_.robots.size(), 0);
+  if (simulation.control() == nullptr) return;
   const bool free = state_.phase == GamePhase::kSet || state_.phase == GamePhase::kReady;
   const double longest = match_.field.length / 2 + match_.field.border;
   const double widest = match_.field.width / 2 + match_.field.border;
-  bool beamed = false;
-  for (std::size_t i = 0; simulation.control() != nullptr && i < match_.robots.size(); ++i) {
+  for (std::size_t i = 0; i < match_.robots.size(); ++i) {
     if (control_indices_[i] < 0) continue;
     const std::optional<PlanarPose> beam = simulation.control()->takeBeam(control_indices_[i]);
     const bool allowed =
         beam && std::isfinite(beam->heading) && beam->x <= 0 && beam->x >= -longest && std::abs(beam->y) <= widest;
     if (!free || !allowed) continue;
     putRobot(simulation, i, turnedForTeam(*beam, attacksPositiveX(match_, match_.robots[i].team)));
-    beamed = true;
+    beamed_[i] = 1;
   }
-  return beamed;
 }
 
 void Referee::watchBall(Simulation& simulation) {
@@ -111,7 +112,7 @@ void Referee::tellRobots(Simulation& simulation, bool placed) const {
     game.own_score = score(team);
     game.opponent_score = score(otherTeam(team));
     game.restart_count = state_.restarts;
-    game.placed = placed;
+    game.placed = placed || beamed_[i] != 0;
     game.placed_at = turnedForTeam(places_[i], attacksPositiveX(match_, team));
     simulation.control()->setGame(control_indices_[i], game);
   }

@@ -13,6 +13,7 @@
 /// State     archived; a continued run goes on with the same game.
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -100,8 +101,8 @@ class Referee : public FrameObserver {
 
  private:
   void watchBall(Simulation& simulation);
-  /// Puts robots where their programs ask to be put, as long as play has not begun. @returns true where one was
-  bool obeyBeams(Simulation& simulation);
+  /// Puts robots where their programs ask to be put, as long as play has not begun, and notes which.
+  void obeyBeams(Simulation& simulation);
 
   double frame_length_;
   Handle<Pose> ball_;
@@ -109,6 +110,7 @@ class Referee : public FrameObserver {
   std::vector<BodyPath> paths_;       // of the robots
   std::vector<int> control_indices_;  // -1: nobody controls it
   std::vector<PlanarPose> places_;    // where the robots were said to have been put last
+  std::vector<std::uint8_t> beamed_;  // 1: by a beam, in this control period
   std::vector<MatchEvent> events_;
 };
 
